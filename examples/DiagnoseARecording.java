@@ -15,7 +15,10 @@ public final class DiagnoseARecording {
 
     private DiagnoseARecording() { }
 
-    /** @param arguments a folder with recording.csv.gz and model.json; one of those that come with wbv, with a law concealed in it, if none is named */
+    /**
+     * @param arguments a folder with recording.csv.gz and model.json; one of those that come with wbv, with a law concealed in it, if none
+     *                  is named
+     */
     public static void main(String[] arguments) throws Exception {
         Path folder = Path.of(arguments.length > 0 ? arguments[0] : "data/arff/concealed/003");
         Question question = Question.of(ModelFile.read(folder.resolve("model.json")), new RecordingFile(folder.resolve("recording.csv.gz")).load());

@@ -35,8 +35,8 @@ public final class FollowAStream {
                     System.out.printf(Locale.ROOT, "%6.2f s: the body has changed%n", row[0]);
                 }
                 if (n % (30 * RATE) == 0) {
-                    System.out.printf(Locale.ROOT, "%6.2f s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n", row[0], now.frequency(),
-                            2 * now.frequencyDeviation(), now.damping(), 2 * now.dampingDeviation());
+                    System.out.printf(Locale.ROOT, "%6.2f s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n", row[0],
+                            now.frequency(), 2 * now.frequencyDeviation(), now.damping(), 2 * now.dampingDeviation());
                 }
             }
         }

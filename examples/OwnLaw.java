@@ -23,8 +23,8 @@ import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
 /**
- * A law of one's own in a diagnosis: a cushion whose force has a square and a cube of its deflection, which no entry of the library has for people. It is
- * tried beside all others, and named in its own words. The recording is simulated here.
+ * A law of one's own in a diagnosis: a cushion whose force has a square and a cube of its deflection, which no entry of the library has for
+ * people. It is tried beside all others, and named in its own words. The recording is simulated here.
  *
  * <pre>java -cp "target/wbv.jar:target/lib/*" examples/OwnLaw.java</pre>
  */

@@ -73,6 +73,9 @@ class ArchitectureTest {
 
     private static final long MOST_FILES = 40;
 
+    /** As in src/build/formatter.xml. */
+    private static final int MOST_COLUMNS = 140;
+
     private static final JavaClasses MAIN = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
 
@@ -172,6 +175,21 @@ class ArchitectureTest {
         }
         sizes.forEach((name, size) -> assertTrue(size <= MOST_FILES, name + " has " + size + " files, more than " + MOST_FILES
                 + ": split it by what its classes are about"));
+    }
+
+    /** What the formatter cannot wrap: comments, literals, text blocks. */
+    @Test
+    void noLineIsLongerThanTheFormatterMakesOne() throws IOException {
+        for (String folder : List.of("src/main/java", "src/test/java", "src/fleet", "examples")) {
+            try (Stream<Path> files = Files.walk(Path.of(folder))) {
+                for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                    List<String> lines = Files.readAllLines(file);
+                    for (int i = 0; i < lines.size(); i++) {
+                        assertTrue(lines.get(i).length() <= MOST_COLUMNS, file + ":" + (i + 1) + " has more than " + MOST_COLUMNS + " columns");
+                    }
+                }
+            }
+        }
     }
 
     /** A name means one thing. Hosts find our classes in a package of theirs under the names that ours have. */

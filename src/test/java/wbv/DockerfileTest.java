@@ -9,7 +9,10 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The Dockerfile, which the tests cannot build: what it copies is there and gets past .dockerignore, its last stage has no tools to build with, and nobody is root. */
+/**
+ * The Dockerfile, which the tests cannot build: what it copies is there and gets past .dockerignore, its last stage has no tools to build
+ * with, and nobody is root.
+ */
 class DockerfileTest {
 
     @Test

@@ -36,7 +36,8 @@ import org.junit.jupiter.api.Test;
 /**
  * Whoever may call it finds said what it is: every public or protected type, method, constructor and field has a sentence (or a
  * {@code @return} that is one), and whoever is given an array says whether it is modified. Not asked: what overrides, a record's
- * accessors and canonical constructor, an enum's constants, {@code main}, and options of MOA, whose purpose stands in their constructor call.
+ * accessors and canonical constructor, an enum's constants, {@code main}, and options of MOA, whose purpose stands in their constructor
+ * call.
  */
 class PublicDocumentationTest {
 
@@ -121,8 +122,8 @@ class PublicDocumentationTest {
             }
         };
         assertEquals(List.of("/Seat.java:6 constructor Seat(mass): no summary", "/Seat.java:11 sinks(load): no summary",
-                "/Seat.java:21 take(load, names): say whether the array is modified", "/Seat.java:37 RATE: no summary", "/Seat.java:40 Sitter: no summary",
-                "/Seat.java:44 rise(): no summary"), gaps(List.of(seat)));
+                "/Seat.java:21 take(load, names): say whether the array is modified", "/Seat.java:37 RATE: no summary",
+                "/Seat.java:40 Sitter: no summary", "/Seat.java:44 rise(): no summary"), gaps(List.of(seat)));
     }
 
     private static List<String> gaps(Iterable<? extends JavaFileObject> sources) throws IOException {

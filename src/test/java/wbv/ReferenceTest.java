@@ -36,7 +36,9 @@ import wbv.recording.format.ColumnMap;
 import wbv.recording.format.Sidecar;
 import wbv.study.DiagnosisJson;
 
-/** The reference of formats, docs/reference, lists what the program reads and writes: every law, fault, quantity, unit, mechanism and key. */
+/**
+ * The reference of formats, docs/reference, lists what the program reads and writes: every law, fault, quantity, unit, mechanism and key.
+ */
 class ReferenceTest {
 
     private static final Path FOLDER = Path.of("docs/reference");

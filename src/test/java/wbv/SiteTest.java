@@ -17,7 +17,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** What the documents link to is there, as a file and as a heading, and every page of docs/ stands once in the contents of the site (mkdocs.yml). */
+/**
+ * What the documents link to is there, as a file and as a heading, and every page of docs/ stands once in the contents of the site
+ * (mkdocs.yml).
+ */
 class SiteTest {
 
     private static final Path ROOT = Path.of("").toAbsolutePath();

@@ -49,8 +49,8 @@ public sealed interface Drive {
     }
 
     /**
-     * Relative motion along another axis stretches a link of which one end carries no sensor: that end swings across as one mass on a spring and a dashpot on
-     * the base, and rides on the base's rotation at its height.
+     * Relative motion along another axis stretches a link of which one end carries no sensor: that end swings across as one mass on a
+     * spring and a dashpot on the base, and rides on the base's rotation at its height.
      */
     sealed interface Swings extends Drive permits UpperSwings, LowerSwings {
 
@@ -95,7 +95,10 @@ public sealed interface Drive {
      * The upper end swings: stiffness times (its displacement less that of the lower end).
      *
      * @param base acceleration across of the base @param rate of the base's rotation @param measured acceleration across of the lower end
-     * @param stiffness [N/m] @param frequency of the swing [Hz], &gt; 0 @param damping ratio of the swing [1], &gt; 0 @param height over the axis of rotation [m]
+     * @param stiffness [N/m]
+     * @param frequency of the swing [Hz], &gt; 0
+     * @param damping ratio of the swing [1], &gt; 0
+     * @param height over the axis of rotation [m]
      */
     record UpperSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("lower") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
                        @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Swings {
@@ -112,7 +115,11 @@ public sealed interface Drive {
     /**
      * The lower end swings: stiffness times (the displacement of the upper end less its own).
      *
-     * @param base as there @param rate as there @param measured acceleration across of the upper end @param stiffness as there @param frequency as there
+     * @param base as there
+     * @param rate as there
+     * @param measured acceleration across of the upper end
+     * @param stiffness as there
+     * @param frequency as there
      * @param damping as there @param height as there
      */
     record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
@@ -257,8 +264,8 @@ public sealed interface Drive {
     }
 
     /**
-     * What a measured force leaves out because its channel is AC coupled, see {@link SensorFault.AcCoupling}: the force that is lost is the integral of what
-     * passes, times 2π corner. What it was when the recording began is the channel's offset.
+     * What a measured force leaves out because its channel is AC coupled, see {@link SensorFault.AcCoupling}: the force that is lost is the
+     * integral of what passes, times 2π corner. What it was when the recording began is the channel's offset.
      *
      * @param channel what measured it [N] @param corner [Hz], &gt; 0
      */

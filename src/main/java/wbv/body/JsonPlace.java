@@ -23,7 +23,10 @@ final class JsonPlace {
      * the least mass that is 1e24 rad²/s², of which products of a dozen are still within what a double holds.
      */
     private static final double MOST = 1e15;
-    /** Terms of a higher power of a length, an angle or their speeds, such as N/m⁵, are about thousandths: each power above the first may be so much more. */
+    /**
+     * Terms of a higher power of a length, an angle or their speeds, such as N/m⁵, are about thousandths: each power above the first may be
+     * so much more.
+     */
     private static final double PER_POWER = 1e3;
     private static final Pattern POWER = Pattern.compile("_per_(?:m|rad)([2-9])");
     /** Least mass [kg]: a grain of dust. */

@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
  * How the coordinates of a structure go together: what stretches each link, how the base carries each coordinate, and which of them
  * are of one mass.
  *
- * <p>Small motions about where everything rests; {@link Plane} knows more. A link between points of bodies that turn is stretched by its two ends and, by their
- * lever arms, by the angles.
+ * <p>Small motions about where everything rests; {@link Plane} knows more. A link between points of bodies that turn is stretched by its
+ * two ends and, by their lever arms, by the angles.
  *
  * @param stretch by link
  * @param carried what a coordinate moves by with a unit of each of the base's axes, by coordinate and axis. Not copied
@@ -37,12 +37,17 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
         }
     }
 
-    /** Bodies along the base's one axis, each link between its two ends. @param from -1 for the base. Not modified. @param to Not modified. */
+    /**
+     * Bodies along the base's one axis, each link between its two ends.
+     *
+     * @param from -1 for the base. Not modified.
+     * @param to Not modified.
+     */
     static Kinematics along(int[] from, int[] to, int bodies) {
         double[][] carried = new double[bodies][1];
         Arrays.stream(carried).forEach(row -> row[0] = 1);
-        return new Kinematics(IntStream.range(0, Math.min(from.length, to.length)).mapToObj(l -> Row.between(from[l], to[l])).toList(), carried,
-                IntStream.range(0, bodies).toArray(), Optional.empty());
+        return new Kinematics(IntStream.range(0, Math.min(from.length, to.length)).mapToObj(l -> Row.between(from[l], to[l])).toList(),
+                carried, IntStream.range(0, bodies).toArray(), Optional.empty());
     }
 
     /** Axes along which the base moves. */

@@ -140,14 +140,19 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     }
 
     /**
-     * A rigid body. @param mass [kg], &gt; 0, or the moment of inertia [kg m²] of what turns @param sensor what measures it @param faults of that sensor
+     * A rigid body.
+     *
+     * @param mass [kg], &gt; 0, or the moment of inertia [kg m²] of what turns
+     * @param sensor what measures it
+     * @param faults of that sensor
      *
      * @param hidden a mass on a spring that nobody sees @param forces on the body that nobody measured
      * @param fixed whether it is held at rest; its mass then plays no part
      * @param carried what it moves by with a unit of each of the base's axes, by the base's sensor; empty: along the first, as it is
      * @param massOf the body whose mass it shares, since both are motions of one; empty where it has its own
      * @param turns whether it is an angle [rad], and what acts on it a moment [N m]
-     * @param at    where the centre of mass is, in a plane, of which this is a motion: its name ends in {@code .x}, {@code .z} or {@code .pitch}
+     * @param at    where the centre of mass is, in a plane, of which this is a motion: its name ends in {@code .x}, {@code .z} or
+     *              {@code .pitch}
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                        List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
@@ -213,7 +218,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     /**
      * A spring and a dashpot between two bodies, and what else acts there.
      *
-     * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it @param faults of that sensor
+     * @param stiffness [N/m], &gt;= 0
+     * @param damping [N s/m], &gt;= 0
+     * @param sensor what measures the force in it
+     * @param faults of that sensor
      * @param arms what other bodies' motion stretches it by, beside that of its two ends, by name: lever arms [m], or plain factors
      * @param at   where it acts, in a plane
      */

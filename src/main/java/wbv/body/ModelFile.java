@@ -90,16 +90,16 @@ public final class ModelFile {
             double mass = fixed ? 1 : massOf.isPresent() ? massOf(massOf.get(), bodies, body) : body.mass(turns ? "inertia_kgm2" : "mass_kg");
             Map<Channel, Double> carried = new LinkedHashMap<>();
             body.factors("carried").forEach((axis, part) -> carried.put(body.guard(() -> Channel.parse(axis)), part));
-            bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed, carried, massOf, turns,
-                    body.point("at_m"))));
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed,
+                    carried, massOf, turns, body.point("at_m"))));
         }
         List<Model.Link> links = new ArrayList<>();
         for (JsonPlace link : at.list("links")) {
-            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad", "sensor", "faults",
-                    "laws", "arms", "at_m"));
+            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad",
+                    "sensor", "faults", "laws", "arms", "at_m"));
             boolean about = bodies.stream().anyMatch(body -> body.name().equals(link.text("to")) && body.turns());
-            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffnessKey(about)), link.number(dampingKey(about)), link.factors("arms"),
-                    link.point("at_m")));
+            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffnessKey(about)), link.number(dampingKey(about)),
+                    link.factors("arms"), link.point("at_m")));
         }
         List<Model.Sensor> sensors = new ArrayList<>();
         for (JsonPlace sensor : at.optionalList("sensors")) {

@@ -15,8 +15,8 @@ import wbv.recording.Quantity;
  * points. It becomes a {@link Model} whose bodies are the motions {@code pelvis.x}, {@code pelvis.z} and {@code pelvis.pitch}.
  *
  * <p>To first order a point at (dx, dz) from a body's centre of mass moves by {@code x + dz θ} and {@code z - dx θ}, the angle θ about y
- * positive from z towards x; {@link Plane} does the rest. Links keep to the axes of the lower body. What gravity does at an angle counts as part of
- * the stiffness about the joint.
+ * positive from z towards x; {@link Plane} does the rest. Links keep to the axes of the lower body. What gravity does at an angle counts as
+ * part of the stiffness about the joint.
  */
 final class PlaneForm {
 
@@ -93,8 +93,8 @@ final class PlaneForm {
             Optional<String> massOf = motion == Plane.Motion.Z ? Optional.of(name(name, Plane.Motion.X)) : Optional.empty();
             double mass = body.mass(angle ? "inertia_kgm2" : "mass_kg");
             Map<Channel, Double> carried = carried(motion, from(centre, origin));
-            bodies.add(body.guard(() -> new Model.Body(name(name, motion), mass, Optional.ofNullable(own.get(motion)), List.of(), Optional.empty(), List.of(),
-                    false, carried, massOf, angle, Optional.of(centre))));
+            bodies.add(body.guard(() -> new Model.Body(name(name, motion), mass, Optional.ofNullable(own.get(motion)), List.of(),
+                    Optional.empty(), List.of(), false, carried, massOf, angle, Optional.of(centre))));
             motions.add(name(name, motion));
         }
         if (!turns && (own.containsKey(Plane.Motion.PITCH) || !beside.isEmpty())) {
@@ -127,8 +127,8 @@ final class PlaneForm {
     }
 
     private void link(JsonPlace link) {
-        link.allow(Set.of("from", "to", "along", "about", "at_m", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad",
-                "sensor", "faults", "laws"));
+        link.allow(Set.of("from", "to", "along", "about", "at_m", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad",
+                "damping_Nms_per_rad", "sensor", "faults", "laws"));
         if (link.has("along") == link.has("about")) {
             throw link.fault("a link acts either \"along\": \"x\" or \"z\", or \"about\": \"y\"");
         }

@@ -12,8 +12,8 @@ public sealed interface SensorFault {
     String mechanism();
 
     /**
-     * What the fault does to the true reading at all times alike: a filter, or nothing. A clock that runs off delays by as much as it does on
-     * average.
+     * What the fault does to the true reading at all times alike: a filter, or nothing. A clock that runs off delays by as much as it does
+     * on average.
      *
      * @param seconds length of the recording [s]
      */
@@ -42,8 +42,8 @@ public sealed interface SensorFault {
     }
 
     /**
-     * The same where what it rides on stiffens as it is stretched, as skin and straps do: {@code ẍ + 2ζω ẋ + ω²(x + c x³) = -a}, of which the sensor reads
-     * {@code a + ẍ}; for c = 0 {@link MountResonance}.
+     * The same where what it rides on stiffens as it is stretched, as skin and straps do: {@code ẍ + 2ζω ẋ + ω²(x + c x³) = -a}, of which
+     * the sensor reads {@code a + ẍ}; for c = 0 {@link MountResonance}.
      *
      * @param frequency of small motion [Hz], &gt; 0 @param dampingRatio of small motion [1], &gt; 0 @param cubic c [1/m²], at least 0
      */
@@ -62,9 +62,10 @@ public sealed interface SensorFault {
     }
 
     /**
-     * The sensor is AC coupled, as charge amplifiers and the inputs of many recorders are: a first-order high-pass {@code j f / fc / (1 + j f / fc)}, by which
-     * a constant is lost and whatever is slow leads. What the filter holds when a recording begins is what a silence before it leaves there; a recording that
-     * begins otherwise differs by a part that decays with {@code exp(-2π fc t)}, which is what a constant added before the filter makes.
+     * The sensor is AC coupled, as charge amplifiers and the inputs of many recorders are: a first-order high-pass
+     * {@code j f / fc / (1 + j f / fc)}, by which a constant is lost and whatever is slow leads. What the filter holds when a recording
+     * begins is what a silence before it leaves there; a recording that begins otherwise differs by a part that decays with
+     * {@code exp(-2π fc t)}, which is what a constant added before the filter makes.
      *
      * @param corner fc, where 0.707 is left and the phase leads by 45° [Hz], &gt; 0
      */
@@ -80,8 +81,8 @@ public sealed interface SensorFault {
     }
 
     /**
-     * The sensor is turned, and all its axes with it. Its other axes' readings are what was recorded, so in their terms the faulty reading is
-     * {@code z √(1 + tan²α + tan²β) + x' tan α + y' tan β}: exact, from the third column of a rotation.
+     * The sensor is turned, and all its axes with it. Its other axes' readings are what was recorded, so in their terms the faulty reading
+     * is {@code z √(1 + tan²α + tan²β) + x' tan α + y' tan β}: exact, from the third column of a rotation.
      *
      * @param across channel of the one axis @param beside of the other @param towardsX tilt to across [rad] @param towardsY tilt
      * to beside [rad], both within ±1
@@ -135,8 +136,8 @@ public sealed interface SensorFault {
     }
 
     /**
-     * No fault: what else moves the sensor that is known and no part of the model, such as what a simulation gave beside the linear model that stands
-     * for it.
+     * No fault: what else moves the sensor that is known and no part of the model, such as what a simulation gave beside the linear model
+     * that stands for it.
      *
      * @param channel that holds it, in the sensor's unit
      */

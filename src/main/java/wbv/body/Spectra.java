@@ -37,7 +37,12 @@ public final class Spectra {
         return out;
     }
 
-    /** Integral over time, by 1/(j ω); nothing at the first line. A new array. @param omega by line [rad/s] @param x K lines. Neither is modified. */
+    /**
+     * Integral over time, by 1/(j ω); nothing at the first line. A new array.
+     *
+     * @param omega by line [rad/s]
+     * @param x K lines. Neither is modified.
+     */
     public static double[] overJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 1; k < omega.length; k++) {

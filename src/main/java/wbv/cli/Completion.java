@@ -15,8 +15,8 @@ import picocli.CommandLine.Spec;
 
 /** {@code wbv completion}: what a shell needs to complete commands, options and file names. */
 @Command(name = "completion", mixinStandardHelpOptions = true,
-        description = "Prints what a shell needs to complete commands and options of wbv after TAB; files are completed where no word fits. "
-                + "The line of the example in ~/.bashrc, ~/.zshrc or ~/.config/fish/config.fish keeps it.",
+        description = "Prints what a shell needs to complete commands and options of wbv after TAB; files are completed where no word "
+                + "fits. The line of the example in ~/.bashrc, ~/.zshrc or ~/.config/fish/config.fish keeps it.",
         footer = {"", "Examples:", "  source <(wbv completion bash)", "  source <(wbv completion zsh)", "  wbv completion fish | source"})
 final class Completion implements Callable<Integer> {
 

@@ -22,19 +22,28 @@ import wbv.sensing.Derivations;
 import wbv.sensing.DerivedReader;
 import wbv.sensing.StillPose;
 
-/** {@code wbv convert}: any recording as CSV, ARFF, UFF 58, MAT or WAV with our channel names, on a uniform clock, with what follows from it. */
+/**
+ * {@code wbv convert}: any recording as CSV, ARFF, UFF 58, MAT or WAV with our channel names, on a uniform clock, with what follows from
+ * it.
+ */
 @Command(name = "convert", mixinStandardHelpOptions = true,
-        description = "Writes a recording as CSV, CSV.gz, ARFF, UFF 58, MAT or WAV with channel names and SI units, on a uniform clock, and says what it "
-                + "found.",
+        description = "Writes a recording as CSV, CSV.gz, ARFF, UFF 58, MAT or WAV with channel names and SI units, on a uniform clock, "
+                + "and says what it found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
             "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff",
-            "  wbv convert ride.csv --out ride.uff", "  wbv convert ride.uff --out - | head", "  wbv convert worn.csv --still 0:5 --free head,sternum \\",
-            "      --joint sternum:head=neck --out derived.csv"})
+            "  wbv convert ride.csv --out ride.uff", "  wbv convert ride.uff --out - | head",
+            "  wbv convert worn.csv --still 0:5 --free head,sternum \\", "      --joint sternum:head=neck --out derived.csv"})
 final class Convert implements Callable<Integer> {
 
     private static final String STANDARD_OUTPUT = "-";
 
-    /** What was done, for machines. @param rows that were written @param done what became of those read @param findings about the recording */
+    /**
+     * What was done, for machines.
+     *
+     * @param rows that were written
+     * @param done what became of those read
+     * @param findings about the recording
+     */
     private record Converted(String wrote, long rows, String done, List<String> findings) { }
 
     @Mixin

@@ -40,8 +40,9 @@ import wbv.result.OutputFolder;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
-        description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
-                + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv, report.html and, of laws found, force.csv.",
+        description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit "
+                + "improve on data it did not use. Writes diagnosis.json, model.json, prediction.csv, report.html and, of laws found, "
+                + "force.csv.",
         footer = {"", "Examples (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out",
             "  wbv diagnose recording.csv.gz --model boileau-rakheja-1998-4dof --out out",
             "  wbv simulate --model model.json --input recording.csv.gz --out simulation.csv",
@@ -65,7 +66,8 @@ final class Diagnose implements Callable<Integer> {
     private Optional<String> simulation = Optional.empty();
 
     @Option(names = "--input", paramLabel = "CHANNEL",
-            description = "without --model: the channel that drove the simulation (platform.acc.z; of an FMU the vertical acceleration that it takes)")
+            description = "without --model: the channel that drove the simulation (platform.acc.z; of an FMU the vertical acceleration "
+                    + "that it takes)")
     private Optional<String> input = Optional.empty();
 
     @Option(names = "--with", paramLabel = "RECORDING", description = "another recording of the same subject and sensors, fitted together with the first; "

@@ -15,13 +15,16 @@ import wbv.export.ExportFormat;
 
 /** {@code wbv export}: a completed model for another simulator. */
 @Command(name = "export", mixinStandardHelpOptions = true,
-        description = "Writes a model, such as the model.json of a diagnosis, for other simulators: its bodies, links, laws, drives and sensors.",
+        description = "Writes a model, such as the model.json of a diagnosis, for other simulators: its bodies, links, laws, drives and "
+                + "sensors.",
         footer = {"", "Formats:",
             "  python    a function in one file that needs NumPy alone; it gives what 'wbv simulate --model' gives",
-            "  fmu       a functional mock-up unit for co-simulation, FMI 3.0: C source, and a binary for this machine where a C compiler is found",
+            "  fmu       a functional mock-up unit for co-simulation, FMI 3.0: C source, and a binary for this machine where a C "
+                    + "compiler is found",
             "  mujoco    XML, and a Python file beside it that runs it and adds what MuJoCo has not",
             "  modelica  one flat model of plain equations that needs no library",
-            "", "What wbv filters to both sides in time, such as the angle that an angular rate makes, is an input of its own in fmu and modelica.",
+            "", "What wbv filters to both sides in time, such as the angle that an angular rate makes, is an input of its own in fmu and "
+                    + "modelica.",
             "", "Examples:", "  wbv export out/model.json --to python --out model.py",
             "  wbv export wei-griffin-1998-1dof --to fmu --out seated.fmu"})
 final class Export implements Callable<Integer> {

@@ -33,7 +33,8 @@ import wbv.study.TypedExposure;
 @Command(name = "exposure", mixinStandardHelpOptions = true, modelTransformer = Exposure.WithoutRecording.class,
         description = "Evaluates a day's exposure to whole-body vibration: weighted r.m.s., dose, A(8), action and limit value, "
                 + "comfort, shocks. Every RECORDING is one task. Writes report.html (one page when printed), exposure.json and "
-                + "exposure.csv. Without a RECORDING, of magnitudes and hours that are typed in: prints A(8), points and the time to action and limit value.",
+                + "exposure.csv. Without a RECORDING, of magnitudes and hours that are typed in: prints A(8), points and the time to "
+                + "action and limit value.",
         footer = {"", "Examples:", "  wbv exposure data/arff/ride-subject1.arff --task 'haul road=380' --boxcar",
             "  wbv exposure loaded.csv empty.csv --task loaded=240 --task empty=200",
             "  wbv exposure car.csv --map data/maps/wobble.json --seat axle_pass",
@@ -51,8 +52,8 @@ final class Exposure implements Callable<Integer> {
     private List<String> tasks = new ArrayList<>();
 
     @Option(names = "--magnitude", paramLabel = "AXIS=M_PER_S2",
-            description = "without a recording: weighted r.m.s. acceleration along x, y or z without the factor k (a declared value that has its factor is z); "
-                    + "several axes by commas, once for each spell")
+            description = "without a recording: weighted r.m.s. acceleration along x, y or z without the factor k (a declared value that "
+                    + "has its factor is z); several axes by commas, once for each spell")
     private List<String> magnitudes = new ArrayList<>();
 
     @Option(names = "--hours", paramLabel = "H", description = "hours a day of the spell; once for each --magnitude")

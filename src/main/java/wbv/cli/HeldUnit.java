@@ -22,8 +22,8 @@ import wbv.recording.format.RecordingWriter;
 import wbv.result.OutputFolder;
 
 /**
- * A recording held against a functional mock-up unit: as it is; where sensors do not explain the difference, with its tunable parameters fitted; and
- * where these do not either, as a simulation from which physics was left out.
+ * A recording held against a functional mock-up unit: as it is; where sensors do not explain the difference, with its tunable parameters
+ * fitted; and where these do not either, as a simulation from which physics was left out.
  *
  * @param name of the unit, for messages
  */
@@ -73,8 +73,8 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
     private String sentence(FittedValues fitted) {
         List<String> moved = new ArrayList<>();
         for (String each : fitted.moved()) {
-            moved.add(String.format(Locale.ROOT, "%s %.4g ± %.2g%s instead of %.4g", each, fitted.values().get(each), 2 * fitted.std().get(each),
-                    unit.unitOf(each).isEmpty() ? "" : " " + unit.unitOf(each), fitted.given().get(each)));
+            moved.add(String.format(Locale.ROOT, "%s %.4g ± %.2g%s instead of %.4g", each, fitted.values().get(each),
+                    2 * fitted.std().get(each), unit.unitOf(each).isEmpty() ? "" : " " + unit.unitOf(each), fitted.given().get(each)));
         }
         return "No physics is missing; values of " + name + " were wrong: " + (moved.isEmpty() ? "no single one for sure, but together" : String.join(", ", moved)) + ".";
     }

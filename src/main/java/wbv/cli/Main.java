@@ -28,8 +28,8 @@ import wbv.task.AdmittedClasses;
 /** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
         description = "Vibration of seated people from inertial sensors: streams, body parameters, reports.",
-        subcommands = {Analyze.class, Exposure.class, Frf.class, Track.class, Live.class, Fleet.class, Identify.class, Poles.class, States.class,
-                Diagnose.class, Prove.class, SuspensionSeat.class, Convert.class, MapColumns.class,
+        subcommands = {Analyze.class, Exposure.class, Frf.class, Track.class, Live.class, Fleet.class, Identify.class, Poles.class,
+            States.class, Diagnose.class, Prove.class, SuspensionSeat.class, Convert.class, MapColumns.class,
             Simulate.class, Export.class, Net.class, Task.class, Completion.class, CommandLine.HelpCommand.class},
         footer = {"", "Example:", "  wbv analyze data/arff/ride-subject1.arff --out out", "",
             "Exit codes: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault."})

@@ -174,9 +174,10 @@ final class NetTrain implements Callable<Integer> {
                         + (named == 0 ? "none of the recordings; name it, or take the line out" : "more than one of the recordings; give more of its path"));
             }
         }
-        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), Usage.channel(spec, input.orElse("seat.acc.z")),
-                Usage.channel(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
-                * Imaging.RATE)));
+        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(),
+                Usage.channel(spec, input.orElse("seat.acc.z")), Usage.channel(spec, output.orElse("head.acc.z")), all.modes(),
+                (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
+                        * Imaging.RATE)));
         for (Path recording : recordings) {
             Labels own = all.of(recording);
             if (own.list().isEmpty()) {

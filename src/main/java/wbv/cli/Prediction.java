@@ -20,10 +20,10 @@ final class Prediction {
     private Prediction() { }
 
     /**
-     * What was recorded on the held-out part, the last model there, and that model as its sensors read it: of each sensor three columns, in its unit.
-     * {@code NAME recorded} is less its mean over the recording where constants do not count, and empty where it does not count; {@code NAME model}
-     * is what {@code wbv simulate} makes of model.json; {@code NAME} is that with the small errors that diagnosis.json lists as sensor_errors. The
-     * reported error is the root mean square of recorded less NAME over that of recorded, where both are there.
+     * What was recorded on the held-out part, the last model there, and that model as its sensors read it: of each sensor three columns, in
+     * its unit. {@code NAME recorded} is less its mean over the recording where constants do not count, and empty where it does not count;
+     * {@code NAME model} is what {@code wbv simulate} makes of model.json; {@code NAME} is that with the small errors that diagnosis.json
+     * lists as sensor_errors. The reported error is the root mean square of recorded less NAME over that of recorded, where both are there.
      */
     static void write(Predicted predicted, Path file) throws IOException {
         StringBuilder out = new StringBuilder("t");
@@ -42,7 +42,9 @@ final class Prediction {
         AtomicFile.write(file, out);
     }
 
-    /** What the laws that were found do in their links, by column, over the whole recording [N], positive where it pulls the ends together. */
+    /**
+     * What the laws that were found do in their links, by column, over the whole recording [N], positive where it pulls the ends together.
+     */
     static void write(FoundForces forces, Path file) throws IOException {
         StringBuilder out = new StringBuilder("t");
         forces.newtons().keySet().forEach(link -> out.append(',').append(link));

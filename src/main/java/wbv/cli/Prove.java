@@ -22,8 +22,8 @@ import wbv.recording.DataFault;
 
 /** {@code wbv prove}: conceals effects in simulated recordings, lets the diagnosis find them, opens the keys and marks it. */
 @Command(name = "prove", mixinStandardHelpOptions = true,
-        description = "Conceals effects in simulated recordings, diagnoses them in a process that cannot read the keys, then opens the keys and "
-                + "marks every answer. Run again with the same folder it goes on where it stopped.",
+        description = "Conceals effects in simulated recordings, diagnoses them in a process that cannot read the keys, then opens the "
+                + "keys and marks every answer. Run again with the same folder it goes on where it stopped.",
         footer = {"", "Examples:", "  wbv prove --quick --out proof", "  wbv prove --out proof --seed 7 --only friction.coulomb",
             "  wbv prove --out proof-rigs --only rig,planar,levels", "  wbv prove --unrelated --out proof-unrelated",
             "  wbv prove --open data/arff/concealed/003"})
@@ -46,9 +46,10 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
     private int from = 1;
 
-    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, "
-            + "open (laws to be learned), rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), "
-            + "levels (three recordings); several with commas")
+    @Option(names = "--only", paramLabel = "WORD",
+            description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, "
+                    + "open (laws to be learned), rig (benches), planar (a multibody person beside a simulation), jointed (with a model "
+                    + "of his joints), levels (three recordings); several with commas")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",

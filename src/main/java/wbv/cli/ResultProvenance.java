@@ -32,8 +32,8 @@ final class ResultProvenance {
     }
 
     /**
-     * The line that makes the same results again, as a shell reads it: what was given, in the order in which the command declares it, and the declared
-     * defaults of what was not, which may be others one day.
+     * The line that makes the same results again, as a shell reads it: what was given, in the order in which the command declares it, and
+     * the declared defaults of what was not, which may be others one day.
      */
     static String line(CommandSpec command) {
         List<String> words = new ArrayList<>(List.of(command.qualifiedName()));

@@ -33,11 +33,12 @@ import wbv.rig.Shipped;
 
 /** {@code wbv simulate}: the virtual experiment as a recording, with the truth beside it. */
 @Command(name = "simulate", mixinStandardHelpOptions = true,
-        description = "Plays an experiment of the virtual rig (shaken platform, simulated sitter, inertial sensors) into a recording, with the "
-                + "truth beside it; or runs a model on the input of a recording.",
+        description = "Plays an experiment of the virtual rig (shaken platform, simulated sitter, inertial sensors) into a recording, "
+                + "with the truth beside it; or runs a model on the input of a recording.",
         footer = {"", "Words of an experiment (each has a default):",
             "  sitter=person|one-dof|two-dof  subject=1..4|random:SEED  mass=KG  posture=slouched|normal|erect",
-            "  regime=0..8 (Table 3-3 of the thesis)  seconds=120  seed=1  rate=60  channels=all,seat.force.z,head.mag.x  effects=usual,loss",
+            "  regime=0..8 (Table 3-3 of the thesis)  seconds=120  seed=1  rate=60  channels=all,seat.force.z,head.mag.x  "
+                    + "effects=usual,loss",
             "  zeta=0.35  f0=5  step=1.25@60  excitation=random:z:0.5-12:1",
             "  cross=0.3,-0.2 lets the base's x and y push a one-dof up: excitation=random:z:0.5-12:1,random:x:0.5-12:1",
             "  excitation=ride:4 is a ride with rests, jolts and rocking at times that stand in its truth",
@@ -148,8 +149,8 @@ final class Simulate implements Callable<Integer> {
         for (String name : PublishedModels.names()) {
             Model each = PublishedModels.open(name);
             all.add(new Published(name, each.bodies().size(), each.mass(), each.source().orElse("")));
-            text.append(String.format(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(), each.bodies().size() == 1 ? "body" : "bodies",
-                    each.mass(), each.source().orElse("")));
+            text.append(String.format(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(),
+                    each.bodies().size() == 1 ? "body" : "bodies", each.mass(), each.source().orElse("")));
         }
         answer.print(text.toString(), "", () -> ResultsJson.render(all));
     }

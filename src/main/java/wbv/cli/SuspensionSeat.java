@@ -44,8 +44,8 @@ import wbv.study.seat.SeatStudy;
 final class SuspensionSeat implements Callable<Integer> {
 
     @Option(names = "--floor", paramLabel = "FLOOR", split = ",", defaultValue = "EM1",
-            description = "what shakes the floor: EM1 to EM9 (earth-moving machines of ISO 7096), all of them, or road:CLASS:KM_PER_H with a class A to E "
-                    + "of ISO 8608; several by commas (${DEFAULT-VALUE})")
+            description = "what shakes the floor: EM1 to EM9 (earth-moving machines of ISO 7096), all of them, or road:CLASS:KM_PER_H "
+                    + "with a class A to E of ISO 8608; several by commas (${DEFAULT-VALUE})")
     private List<String> floors = new ArrayList<>();
 
     @Option(names = "--sitters", paramLabel = "N",
@@ -129,10 +129,14 @@ final class SuspensionSeat implements Callable<Integer> {
             text.append(String.format(Locale.ROOT, "%-64s %6s %9s %28s %7s%n", "fault, controller (simulated)", "rides", "unstable",
                     "over 1.25 times a passive",
                     "worst"));
-            endurance.cases().forEach((fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
-                    one.worse(), one.worst())));
-            text.append(String.format("A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s on%n"));
-            endured = new Endured(endurance, Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
+            endurance.cases().forEach(
+                    (fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
+                            one.worse(), one.worst())));
+            text.append(String.format(
+                    "A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s "
+                            + "on%n"));
+            endured = new Endured(endurance,
+                    Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
                 text.append(String.format(Locale.ROOT, "  %-4s %-18s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
                         each.later()));
@@ -155,8 +159,8 @@ final class SuspensionSeat implements Callable<Integer> {
         if (!(jolt >= 0 && jolt <= 50)) {
             throw wrong("--jolt must be 0 to 50 m/s²: " + jolt);
         }
-        return new Comparison.Request(SeatHardware.ASSUMED, floors.stream().flatMap(word -> floors(word).stream()).toList(), people(), families(), jolt, 6,
-                seconds, seed.number());
+        return new Comparison.Request(SeatHardware.ASSUMED, floors.stream().flatMap(word -> floors(word).stream()).toList(), people(),
+                families(), jolt, 6, seconds, seed.number());
     }
 
     private List<Subject> people() {

@@ -8,7 +8,8 @@ import wbv.task.TaskRunner;
 
 /** {@code wbv task}: any MOA task by its string, with an honest exit code. */
 @Command(name = "task", mixinStandardHelpOptions = true,
-        description = "Runs a MOA task given as one string, as moa.DoTask does, but says what went wrong and exits with 1, 2 or 3 if it did.",
+        description = "Runs a MOA task given as one string, as moa.DoTask does, but says what went wrong and exits with 1, 2 or 3 if it "
+                + "did.",
         footer = {"", "Examples:", "  wbv task \"wbv.task.TrackBody -s (wbv.stream.RigStream -r 7)\"",
             "  wbv task \"EvaluatePrequentialRegression -l wbv.learn.AdwinKalman \\",
             "      -s (wbv.stream.RecordingStream -f data/arff/one-dof-linear.arff \\",

@@ -75,7 +75,8 @@ final class Track implements Callable<Integer> {
     private CommonOptions.Seed seed;
 
     @Option(names = "--bound", paramLabel = "NAME=LOW:HIGH", split = ",",
-            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for the faster mode")
+            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for the "
+                    + "faster mode")
     private List<String> bounds = new ArrayList<>();
 
     @Option(names = "--detector", paramLabel = "CLASS", defaultValue = Detectors.USUAL,

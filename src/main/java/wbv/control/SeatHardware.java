@@ -11,8 +11,8 @@ package wbv.control;
  * @param delay        from the sensors until damper and actuator begin to follow [s], &gt;= 0
  * @param stop         deflection at which the end stops begin [m], &gt; 0
  */
-public record SeatHardware(double frameMass, double stiffness, double leastDamping, double mostDamping, double mostForce, double lag, double delay,
-                           double stop) {
+public record SeatHardware(double frameMass, double stiffness, double leastDamping, double mostDamping, double mostForce, double lag,
+        double delay, double stop) {
 
     /** Mass, spring, damper and stops of a middling suspension seat, all assumed. */
     public static final SeatHardware ASSUMED = new SeatHardware(15, 6000, 100, 2500, 500, 0.010, 0.004, 0.050);

@@ -42,8 +42,8 @@ final class SeatModel {
     private static final double FRAME_NOISE = 100;
     private static final double SITTER_NOISE = 100;
     /**
-     * Of the sensors, with what the model lacks [m, m/s², m/s²]: cushion and limbs ring on the frame at 20 to 50 Hz, which the model does not
-     * hold. With a tenth of the frame's, or forces five times as cheap, actuator and cushion sing together there.
+     * Of the sensors, with what the model lacks [m, m/s², m/s²]: cushion and limbs ring on the frame at 20 to 50 Hz, which the model does
+     * not hold. With a tenth of the frame's, or forces five times as cheap, actuator and cushion sing together there.
      */
     static final double[] SENSOR_NOISE = {5e-4, 0.05, 2};
     private static final int TERMS = 10;

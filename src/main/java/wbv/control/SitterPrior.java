@@ -4,8 +4,8 @@ package wbv.control;
  * What is known of sitters before one sits down.
  *
  * @param middle    the middle sitter
- * @param frequency what the estimator of the body reads on the middle sitter [Hz], &gt; 0: between frame and trunk, which is not the frequency
- *                  of the apparent mass
+ * @param frequency what the estimator of the body reads on the middle sitter [Hz], &gt; 0: between frame and trunk, which is not the
+ *                  frequency of the apparent mass
  * @param damping   likewise the damping ratio, &gt; 0
  * @param masses    by how much sitters differ in mass, one standard deviation as a share @param frequencies likewise in natural frequency
  * @param dampings  likewise in damping ratio

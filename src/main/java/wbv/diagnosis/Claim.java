@@ -3,7 +3,8 @@ package wbv.diagnosis;
 /**
  * What can be answered.
  *
- * @param name of a mechanism with its place, several joined where they act together; the place of something else; empty where nothing is missing
+ * @param name of a mechanism with its place, several joined where they act together; the place of something else; empty where nothing is
+ *             missing
  * @param like mechanism with its place that something else is like; empty where there is none
  */
 record Claim(Kind kind, String name, String like) {

@@ -10,7 +10,10 @@ final class DecisionRule {
     /** What a posterior says. */
     enum Verdict { NOTHING_MISSING, PARAMETERS_ONLY, MISSING_PHYSICS, AMBIGUOUS, SOMETHING_ELSE }
 
-    /** @param claims what is answered, likeliest first; their probabilities are the posterior's @param probability of all of them together */
+    /**
+     * @param claims what is answered, likeliest first; their probabilities are the posterior's
+     * @param probability of all of them together
+     */
     record Reading(Verdict verdict, List<Claim> claims, double probability) {
 
         /** Whether no name is the answer, nor a set of which one is. */
@@ -34,8 +37,8 @@ final class DecisionRule {
 
     /**
      * Nothing missing, or values only, where physics is no likelier than none; one name where it holds enough; something else where that is
-     * likelier than not; otherwise the fewest claims that hold enough together. A claim from which the first is told apart, by odds at which one name of
-     * two would hold enough, is none of them, however many such there are.
+     * likelier than not; otherwise the fewest claims that hold enough together. A claim from which the first is told apart, by odds at
+     * which one name of two would hold enough, is none of them, however many such there are.
      */
     Reading read(Posterior posterior) {
         if (posterior.mass(claim -> !claim.isPhysics()) >= 0.5) {

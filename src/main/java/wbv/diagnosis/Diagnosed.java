@@ -36,25 +36,30 @@ public final class Diagnosed {
     /**
      * The same where nothing was found missing of a simulation whose own values were fitted first: these were wrong, and nothing else.
      *
-     * @param sentence that says which @param before root mean square of recorded less simulated over that of recorded, held out, with the values as
+     * @param sentence that says which
+     * @param before root mean square of recorded less simulated over that of recorded, held out, with the values as
      *                 they were, by channel
      */
     public Diagnosed afterFitting(String sentence, Map<String, Double> before) {
         Diagnosis.Fit fit = diagnosis.fit();
         List<Diagnosis.Proof> channels = fit.channels().stream().map(proof -> before.containsKey(proof.channel())
-                ? new Diagnosis.Proof(proof.channel(), proof.band(), proof.signal(), new Diagnosis.Ranged(before.get(proof.channel()), Double.NaN, Double.NaN),
-                        proof.after(), proof.floor(), proof.removed()) : proof).toList();
-        Diagnosis other = new Diagnosis(Diagnosis.Verdict.PARAMETERS_ONLY, sentence, diagnosis.located(), diagnosis.missing(), diagnosis.alternatives(),
-                diagnosis.nextExperiment(), new Diagnosis.Fit(fit.given(), fit.before(), fit.after(), fit.heldBefore(), fit.heldAfter(), fit.heldOut(), channels,
-                        fit.bands(), fit.sensors()), diagnosis.latent(), diagnosis.model(), diagnosis.learned());
+                ? new Diagnosis.Proof(proof.channel(), proof.band(), proof.signal(),
+                        new Diagnosis.Ranged(before.get(proof.channel()), Double.NaN, Double.NaN),
+                        proof.after(), proof.floor(), proof.removed())
+                : proof).toList();
+        Diagnosis other = new Diagnosis(Diagnosis.Verdict.PARAMETERS_ONLY, sentence, diagnosis.located(), diagnosis.missing(),
+                diagnosis.alternatives(), diagnosis.nextExperiment(),
+                new Diagnosis.Fit(fit.given(), fit.before(), fit.after(), fit.heldBefore(), fit.heldAfter(), fit.heldOut(), channels,
+                        fit.bands(), fit.sensors()),
+                diagnosis.latent(), diagnosis.model(), diagnosis.learned());
         return new Diagnosed(other, fits, evidence, base, chosen);
     }
 
     /** The same, with a sentence before its own. */
     Diagnosed saying(String first) {
         Diagnosis d = diagnosis;
-        Diagnosis other = new Diagnosis(d.verdict(), first + " " + d.sentence(), d.located(), d.missing(), d.alternatives(), d.nextExperiment(), d.fit(), d.latent(),
-                d.model(), d.learned());
+        Diagnosis other = new Diagnosis(d.verdict(), first + " " + d.sentence(), d.located(), d.missing(), d.alternatives(),
+                d.nextExperiment(), d.fit(), d.latent(), d.model(), d.learned());
         return new Diagnosed(other, fits, evidence, base, chosen);
     }
 

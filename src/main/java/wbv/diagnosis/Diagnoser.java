@@ -99,8 +99,8 @@ public final class Diagnoser {
     }
 
     /**
-     * The diagnosis where nothing is missing of a model as it is given, but for what its sensors and a person who sits still do; empty where there is
-     * more, which is not searched.
+     * The diagnosis where nothing is missing of a model as it is given, but for what its sensors and a person who sits still do; empty
+     * where there is more, which is not searched.
      */
     public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
         Diagnoser diagnoser = asked(question, progress);
@@ -128,7 +128,8 @@ public final class Diagnoser {
         boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
         if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
-            // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does not show it.
+            // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
+            // not show it.
             return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
@@ -140,8 +141,8 @@ public final class Diagnoser {
     }
 
     /**
-     * Whether nothing explains a mismatch that may be several mechanisms or a push: not one that enters in a link or at a sensor alone, where all of
-     * the library was tried and nothing came near.
+     * Whether nothing explains a mismatch that may be several mechanisms or a push: not one that enters in a link or at a sensor alone,
+     * where all of the library was tried and nothing came near.
      */
     private static boolean isOpen(Diagnosed diagnosed) {
         List<Diagnosis.Latent> alone = diagnosed.diagnosis().latent().stream()
@@ -185,8 +186,8 @@ public final class Diagnoser {
     }
 
     /**
-     * The diagnosis of a plain mismatch of which a linear mechanism leaves noise alone, or what a person does who sits still, on data not used for it too: no law that is not linear does so little
-     * to the form of the motion, and where it enters need not be asked first.
+     * The diagnosis of a plain mismatch of which a linear mechanism leaves noise alone, or what a person does who sits still, on data not
+     * used for it too: no law that is not linear does so little to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> plain(Candidate baseline, Fitter.State base) {
         if (evidence.onRig() || base.reduced() < Refinement.PLAIN) {
@@ -333,8 +334,8 @@ public final class Diagnoser {
     }
 
     /**
-     * Fits on a model that stands for a simulation, the best few of them with forces that may go another way than the model's. The others stay as they
-     * are: which law it is shows in what it does where it acts, and a way that may differ makes many alike.
+     * Fits on a model that stands for a simulation, the best few of them with forces that may go another way than the model's. The others
+     * stay as they are: which law it is shows in what it does where it acts, and a way that may differ makes many alike.
      */
     private List<Fitter.State> carried(List<Fitter.State> fits) {
         if (!evidence.standsForSimulation() || fits.isEmpty()) {

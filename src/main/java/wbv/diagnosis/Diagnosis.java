@@ -34,7 +34,10 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
         LEARNED_LAW,
         /** A mechanism carries it, and another does about as well. */
         AMBIGUOUS,
-        /** The recording does not say whether something is missing: its parts contradict each other, or the input does not cause what was measured. */
+        /**
+         * The recording does not say whether something is missing: its parts contradict each other, or the input does not cause what was
+         * measured.
+         */
         CANNOT_TELL;
 
         /** Whether no physics is said to be missing. */
@@ -144,8 +147,8 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     }
 
     /**
-     * Held-out error of a channel, in all or in a band: root mean square over that of the channel's whole signal, so that the squares of the
-     * bands add up.
+     * Held-out error of a channel, in all or in a band: root mean square over that of the channel's whole signal, so that the squares of
+     * the bands add up.
      *
      * @param band    lowest and highest frequency [Hz]
      * @param signal  part of the channel's power that lies in the band

@@ -21,10 +21,12 @@ public record DisplayedNumber(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
 
-    private static final Map<String, String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
-            Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"), Map.entry("towards x", "tilt towards x"),
-            Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"), Map.entry("quadratic", "quadratic drift"),
-            Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"));
+    private static final Map<String,
+            String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
+                    Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"),
+                    Map.entry("towards x", "tilt towards x"), Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"),
+                    Map.entry("quadratic", "quadratic drift"),
+                    Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"));
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
@@ -58,8 +60,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
     }
 
     /**
-     * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known, that
-     * side: {@code not identifiable, at most 0.06 mm/s}.
+     * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known,
+     * that side: {@code not identifiable, at most 0.06 mm/s}.
      *
      * @param value in the key's unit @param interval likewise
      */

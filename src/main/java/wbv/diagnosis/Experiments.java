@@ -12,8 +12,8 @@ import wbv.diagnosis.search.MassScale;
 final class Experiments {
 
     /** In place of a nod, where the rotation of the place is known already. */
-    private static final String ARM = "Move the sensor a known way, 50 mm fore or aft, and record again: how it turns is recorded, so what a "
-            + "rotation adds must change by just that arm; what crosses over from another axis stays.";
+    private static final String ARM = "Move the sensor a known way, 50 mm fore or aft, and record again: how it turns is recorded, so "
+            + "what a rotation adds must change by just that arm; what crosses over from another axis stays.";
     private static final String SEAT = "Measure the force under the seat pan, or put a second sensor on the platform and swap "
             + "the two: a force on the first body, one in the link below it and a fault of the platform's sensor move all "
             + "bodies alike.";
@@ -21,8 +21,8 @@ final class Experiments {
             + "scale of the masses.";
 
     static final String AGAIN = "Record the same ride again, twice as long: a law comes back in every part of it, an event does not.";
-    static final String CAUSE = "See that the input is the sensor under the person, on the same clock, and shake harder, or record a quiet trial: "
-            + "what is there without the ride is not caused by it.";
+    static final String CAUSE = "See that the input is the sensor under the person, on the same clock, and shake harder, or record a "
+            + "quiet trial: what is there without the ride is not caused by it.";
 
     /** From this probability on no rival has to be told apart any more, and the numbers are next. */
     private static final double SETTLED = 0.95;

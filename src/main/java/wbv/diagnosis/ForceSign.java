@@ -21,8 +21,9 @@ import wbv.recording.Recording;
 /**
  * Force sensors that count the other way round than the model does.
  *
- * <p>A bench is passive: on average a force does work on the body that it pushes, and what a link carries on what stretches it. A sensor whose force takes
- * energy out, by motion that other sensors or the model tell, is asked: does the model fit much better with its sign turned?
+ * <p>A bench is passive: on average a force does work on the body that it pushes, and what a link carries on what stretches it. A sensor
+ * whose force takes energy out, by motion that other sensors or the model tell, is asked: does the model fit much better with its sign
+ * turned?
  */
 final class ForceSign {
 
@@ -30,7 +31,10 @@ final class ForceSign {
     private static final int BLOCKS = 10;
     /** Student's t of nine degrees of freedom that chance passes once in a thousand times. */
     private static final double SURE = 4.297;
-    /** Part of the mean square, in units of the noise, that the model may leave with the sign turned: what is left otherwise is twice that, which no chance makes. */
+    /**
+     * Part of the mean square, in units of the noise, that the model may leave with the sign turned: what is left otherwise is twice that,
+     * which no chance makes.
+     */
     private static final double MUCH_BETTER = 0.5;
 
     private final Question question;
@@ -83,9 +87,11 @@ final class ForceSign {
         }
         String names = String.join(" and ", channels.stream().map(Channel::toString).toList());
         boolean one = channels.size() == 1;
-        return Optional.of(new Turned(other, names + (one ? " is" : " are") + " of the other sign than the model's, and " + (one ? "was" : "were")
-                + String.format(java.util.Locale.ROOT, " turned: as recorded %s would take energy out of a bench that has none to give, and the model would leave %.3g times what it "
-                + "leaves now; turn %s in the recording too before the model is simulated on it.", one ? "it" : "they", asRecorded / left, one ? "it" : "them")));
+        return Optional.of(new Turned(other, names + (one ? " is" : " are") + " of the other sign than the model's, and "
+                + (one ? "was" : "were") + String.format(java.util.Locale.ROOT,
+                        " turned: as recorded %s would take energy out of a bench that has none to give, and the model would leave %.3g "
+                                + "times what it leaves now; turn %s in the recording too before the model is simulated on it.",
+                        one ? "it" : "they", asRecorded / left, one ? "it" : "them")));
     }
 
     private static double[] negative(double[] x) {
@@ -130,7 +136,10 @@ final class ForceSign {
         return whole.series(spectrum);
     }
 
-    /** Whether the mean power of a force is negative beyond chance, as its scatter over stretches has it. Means count for nothing: they are offsets. */
+    /**
+     * Whether the mean power of a force is negative beyond chance, as its scatter over stretches has it. Means count for nothing: they are
+     * offsets.
+     */
     private static boolean drains(double[] force, double[] velocity) {
         int n = Math.min(force.length, velocity.length);
         double mean = Arrays.stream(force, 0, n).average().orElse(0);

@@ -29,12 +29,14 @@ import wbv.diagnosis.search.Trial;
 import wbv.diagnosis.search.Whereabouts;
 
 /**
- * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much noise scatters is
- * the same with and without a law, and what tells the two apart is only how much likelier one makes data that neither was fitted to. A memory is imitated
- * by a spring four times too stiff; of nulls no law ever made more than 3 nats of that, of memories taken for wrong values hundreds.
+ * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much
+ * noise scatters is the same with and without a law, and what tells the two apart is only how much likelier one makes data that neither was
+ * fitted to. A memory is imitated by a spring four times too stiff; of nulls no law ever made more than 3 nats of that, of memories taken
+ * for wrong values hundreds.
  *
- * <p>Those are asked first, and where one of them is likelier than the numbers alone, all that acts at its place, and all that swings or answers late, is
- * asked beside it. So near to the noise a score is χ² with one degree of freedom: who does not pay for the choice of one name by that is not asked.
+ * <p>Those are asked first, and where one of them is likelier than the numbers alone, all that acts at its place, and all that swings or
+ * answers late, is asked beside it. So near to the noise a score is χ² with one degree of freedom: who does not pay for the choice of one
+ * name by that is not asked.
  */
 final class Imitations {
 
@@ -100,7 +102,8 @@ final class Imitations {
         List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit))).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
-        // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says more.
+        // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says
+        // more.
         Map<Fitter.State, Double> alone = Map.copyOf(likelier);
         for (Fitter.State fit : fits) {
             double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(alone::get).max().orElse(0);
@@ -129,7 +132,10 @@ final class Imitations {
         return Math.log(all.stream().map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count());
     }
 
-    /** By how much a fit makes data that were not used likelier than another does, each seen through its own model's noise [nat] (Dawid 1984). */
+    /**
+     * By how much a fit makes data that were not used likelier than another does, each seen through its own model's noise [nat] (Dawid
+     * 1984).
+     */
     private double evidence(Fitter.State fit, Fitter.State than) {
         return (misfit(than) - misfit(fit)) / 2;
     }

@@ -15,7 +15,9 @@ import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Refinement;
 
-/** The diagnosis where the best fit holds a law that was learned: all that is missing, or what a named law does beside its library's form. */
+/**
+ * The diagnosis where the best fit holds a law that was learned: all that is missing, or what a named law does beside its library's form.
+ */
 final class LearnedVerdict {
 
     private final Fits fits;
@@ -57,7 +59,8 @@ final class LearnedVerdict {
         return shown.of(values.fit(), values.scale(), model -> {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
-                    "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
+                    "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on "
+                            + "data not used went with it.",
                     where, law.formula(), Phrases.percent(gone(heldBefore))), new Mismatch(evidence, fits.base()).located(), missing,
                     Stream.concat(refused.missing().stream(), refused.verdict() == Diagnosis.Verdict.MISSING_PHYSICS ? refused.alternatives().stream() : Stream.empty())
                             .filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
@@ -68,7 +71,8 @@ final class LearnedVerdict {
     }
 
     /**
-     * The diagnosis of mechanisms one of which has another form than the library's: what it does beside that was learned, and stands beside its name.
+     * The diagnosis of mechanisms one of which has another form than the library's: what it does beside that was learned, and stands beside
+     * its name.
      *
      * @param named what was said without it @param held what it leaves on data not used without it @param rivals other corrections
      */
@@ -80,14 +84,20 @@ final class LearnedVerdict {
                 .map(part -> values.named(part, one.probability())).orElse(one)).toList();
         return shown.of(values.fit(), values.scale(), model -> {
             LearnedWords law = new LearnedWords(model, where);
-            return new Diagnosis(named.verdict(), words.sentence(named.verdict(), missing, words.ending(new Standing(fits).explained(), named.alternatives()), false) + String.format(Locale.ROOT,
-                    " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.", where, law.formula(),
-                    Phrases.percent(gone(held))), named.located(), missing, named.alternatives(), named.nextExperiment(), shown.figures(values.fit()), named.latent(), model,
-                    Optional.of(new Diagnosis.LearnedLaw(where, law.formula(), law.terms(), rivals)));
+            return new Diagnosis(named.verdict(),
+                    words.sentence(named.verdict(), missing, words.ending(new Standing(fits).explained(), named.alternatives()), false)
+                            + String.format(Locale.ROOT,
+                                    " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.",
+                                    where, law.formula(), Phrases.percent(gone(held))),
+                    named.located(), missing, named.alternatives(), named.nextExperiment(), shown.figures(values.fit()), named.latent(),
+                    model, Optional.of(new Diagnosis.LearnedLaw(where, law.formula(), law.terms(), rivals)));
         });
     }
 
-    /** Part of what was left on data not used that goes with the best: of what is beyond noise; of a rig of all, since its noise may be overstated. */
+    /**
+     * Part of what was left on data not used that goes with the best: of what is beyond noise; of a rig of all, since its noise may be
+     * overstated.
+     */
     private double gone(double held) {
         double floor = evidence.onRig() ? 0 : 1;
         return Math.max(0, Math.min(1, (held - refinement.heldOut(fits.best())) / (held - floor)));

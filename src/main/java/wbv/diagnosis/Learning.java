@@ -14,7 +14,9 @@ import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
-/** Completes a diagnosis by what can be learned: the law where nothing was named, and what a named law does beside the library's form of it. */
+/**
+ * Completes a diagnosis by what can be learned: the law where nothing was named, and what a named law does beside the library's form of it.
+ */
 final class Learning {
 
     /** Other laws that are told beside one that was learned. */
@@ -36,9 +38,10 @@ final class Learning {
     private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) { }
 
     /**
-     * A name that leaves more than the right one may gives way to a likelier law, as does a refusal; or it stands with what it lacks of the library's form.
-     * A name that explains nearly all is asked for its form first: beside terms it may shrink to nothing, so that where none halve what it leaves, no law in
-     * its place does. Another is asked for its form last: with enough terms any name can be dressed up as the law that explains nearly all without it.
+     * A name that leaves more than the right one may gives way to a likelier law, as does a refusal; or it stands with what it lacks of the
+     * library's form. A name that explains nearly all is asked for its form first: beside terms it may shrink to nothing, so that where
+     * none halve what it leaves, no law in its place does. Another is asked for its form last: with enough terms any name can be dressed up
+     * as the law that explains nearly all without it.
      */
     Diagnosed completed(Diagnosed found) {
         Fits fits = found.fits;
@@ -63,7 +66,11 @@ final class Learning {
         return new LearnedVerdict(fits.with(learnt.law().fit()), refinement.heldOut(fits.base()), refinement);
     }
 
-    /** The law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
+    /**
+     * The law of what is missing, where one can be learned.
+     *
+     * @param refused whether nothing was named; else the law has to do better than the name
+     */
     private Optional<Learnt> law(Fits fits, boolean refused) {
         progress.accept("learning the law", 0.8);
         LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
@@ -81,7 +88,10 @@ final class Learning {
         return learner.law(sentences, fits.chosen()).map(law -> new Learnt(learner, sentences, law));
     }
 
-    /** How likely one of the laws that were fitted is. Likelier ones than the law that was taken foretold data not used too badly to be laws. */
+    /**
+     * How likely one of the laws that were fitted is. Likelier ones than the law that was taken foretold data not used too badly to be
+     * laws.
+     */
     private static double share(Learnt learnt, LawLearner.Sentence of) {
         double evidence = learnt.law().evidence();
         return Math.exp(of.evidence() - evidence) / (1 + others(learnt).mapToDouble(each -> Math.exp(each.evidence() - evidence)).sum());

@@ -63,14 +63,18 @@ final class PlainFaults {
             boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
             if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
                 double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
-                out.add(new Diagnosis.Named(new SensorBias().word(), where, 0.95, Map.of("bias", bias), Map.of("bias", Interval.normal(bias, second)),
-                        base.reduced()));
+                out.add(new Diagnosis.Named(new SensorBias().word(), where, 0.95, Map.of("bias", bias),
+                        Map.of("bias", Interval.normal(bias, second)), base.reduced()));
             }
         }
         return out;
     }
 
-    /** Steps that are coarse, and make at least half of a sensor's noise. @param most noise of the sensor over that of its steps, where it is known */
+    /**
+     * Steps that are coarse, and make at least half of a sensor's noise.
+     *
+     * @param most noise of the sensor over that of its steps, where it is known
+     */
     private Optional<Diagnosis.Named> steps(Channel channel, double most, Fitter.State base) {
         int output = evidence.outputs().indexOf(channel);
         return Rounding.coarse(evidence.recording().values(channel)).filter(steps -> output < 0 || evidence.noise()[output] < most * steps.noise())

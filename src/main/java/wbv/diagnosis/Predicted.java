@@ -11,9 +11,9 @@ import wbv.diagnosis.fit.Window;
 import wbv.recording.Channel;
 
 /**
- * The data held out beside what the last model makes of them: what the errors of {@link Diagnosis.Fit#channels} are errors of. The root mean
- * square of {@code recorded - read} over that of {@code recorded}, samples that do not count left out, is {@link Diagnosis.Fit#nrmseAfter}.
- * Arrays are not copied: treat them as read-only.
+ * The data held out beside what the last model makes of them: what the errors of {@link Diagnosis.Fit#channels} are errors of. The root
+ * mean square of {@code recorded - read} over that of {@code recorded}, samples that do not count left out, is
+ * {@link Diagnosis.Fit#nrmseAfter}. Arrays are not copied: treat them as read-only.
  *
  * @param time     of each sample [s]: the recording's clock, or the slower one to which a fast recording was brought
  * @param recorded by output and sample, without its mean over the whole recording where constants do not count; NaN where it does not count

@@ -16,8 +16,8 @@ import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
 /**
- * Several recordings of one subject with the same sensors, laid end to end with a pause between in which nothing is known, so that what rang at the end of
- * one is over where the next begins: one set of numbers is fitted to all of them. One that is to prove them comes last.
+ * Several recordings of one subject with the same sensors, laid end to end with a pause between in which nothing is known, so that what
+ * rang at the end of one is over where the next begins: one set of numbers is fitted to all of them. One that is to prove them comes last.
  *
  * @param recording  all of them, on the clock of the first
  * @param provedFrom time of the first sample that serves for the proof only [s]; empty where the end of the one recording does

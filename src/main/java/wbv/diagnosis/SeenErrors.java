@@ -24,7 +24,10 @@ final class SeenErrors {
         return fit.failed() || Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum;
     }
 
-    /** Part of the variance of an output that a fit explains, of the output of which it explains most; below 0 where it is worse than nothing. */
+    /**
+     * Part of the variance of an output that a fit explains, of the output of which it explains most; below 0 where it is worse than
+     * nothing.
+     */
     double explained(Fitter.State fit) {
         double[][] read = readings.of(fit);
         return IntStream.range(0, read.length).mapToDouble(o -> 1 - square(o, read[o]) / square(o, new double[read[o].length])).max().orElseThrow();

@@ -69,15 +69,22 @@ final class VerdictWords {
         };
     }
 
-    /** Where one measured force pushes and all numbers are off alike, the force's channel may as well be: the motion knows a force only over them. */
+    /**
+     * Where one measured force pushes and all numbers are off alike, the force's channel may as well be: the motion knows a force only over
+     * them.
+     */
     private String alike() {
         double[] off = IntStream.range(0, base.x().length).filter(i -> NUMBERS.contains(base.candidate().knobs().get(i).slot().kind())).mapToDouble(i -> base.x()[i]).toArray();
         double mean = Arrays.stream(off).average().orElse(0);
         double usual = SmallError.MOST * SmallError.Kind.GAIN.deviation();
         boolean all = off.length > 1 && Math.abs(mean) > usual && Arrays.stream(off).allMatch(each -> Math.abs(each - mean) < usual);
-        return evidence.model().inputs().size() == 1 && all && evidence.outputs().stream().noneMatch(output -> output.quantity() == Quantity.FORCE)
-                ? String.format(Locale.ROOT, " All its numbers are %1$.3g times as given: they may as well be right as given, and %2$s read %1$.3g times the force; the recording cannot tell.",
-                        Math.exp(mean), evidence.model().inputs().get(0).sensor()) : "";
+        return evidence.model().inputs().size() == 1 && all
+                && evidence.outputs().stream().noneMatch(output -> output.quantity() == Quantity.FORCE)
+                        ? String.format(Locale.ROOT,
+                                " All its numbers are %1$.3g times as given: they may as well be right as given, and %2$s read %1$.3g "
+                                        + "times the force; the recording cannot tell.",
+                                Math.exp(mean), evidence.model().inputs().get(0).sensor())
+                        : "";
     }
 
     String cannotTell(String why) {
@@ -85,14 +92,22 @@ final class VerdictWords {
         Window fit = evidence.fit();
         Window held = evidence.heldOut();
         return String.format(Locale.ROOT,
-                "the model leaves %.3g times the noise from %.0f to %.0f s, to which it was fitted, and %.3g times from %.0f to %.0f s: %s.", base.reduced(),
-                fit.start() / rate, (fit.start() + fit.length()) / rate, heldBefore, held.start() / rate, (held.start() + held.length()) / rate, why);
+                "the model leaves %.3g times the noise from %.0f to %.0f s, to which it was fitted, and %.3g times from %.0f to %.0f s: "
+                        + "%s.",
+                base.reduced(),
+                fit.start() / rate, (fit.start() + fit.length()) / rate, heldBefore, held.start() / rate,
+                (held.start() + held.length()) / rate, why);
     }
 
-    /** Where the input does not move what was measured, neither what fits nor what does not says anything of the model. @param caused part of the best output */
+    /**
+     * Where the input does not move what was measured, neither what fits nor what does not says anything of the model.
+     *
+     * @param caused part of the best output
+     */
     String notCaused(double caused) {
         return String.format(Locale.ROOT,
-                "on data not used, %s explains %s of what the best of the sensors measured, whatever the model; at least %.0f %% is needed.",
+                "on data not used, %s explains %s of what the best of the sensors measured, whatever the model; at least %.0f %% is "
+                        + "needed.",
                 evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
     }
 

@@ -33,11 +33,16 @@ final class Verdicts {
     static final double CAUSED = 0.5;
     private static final double LEAST_GAIN = 80;
     private static final double LEAST_SHARE = 0.5;
-    /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
+    /**
+     * What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects.
+     */
     private static final double LEAST_DROP = 0.1;
     private static final double UNEXPLAINED = 4;
     private static final double CARRIED_OVER = 0.72;
-    /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
+    /**
+     * On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data
+     * too.
+     */
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     /** How sure a name is that leaves too much, at most. */
@@ -104,15 +109,15 @@ final class Verdicts {
     /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
     private boolean isNamed() {
         double drop = base.reduced() - best.reduced();
-        return best != base && foretells(best) && standing.explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP && drop * degrees() > LEAST_GAIN
-                && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
+        return best != base && foretells(best) && standing.explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP
+                && drop * degrees() > LEAST_GAIN && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
                 // So near to the noise only a name without a rival is a finding.
                 && (heldBefore > Refinement.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     /**
-     * Whether a fit with more in it does better than the base on data that neither has seen, with the sensors' errors as they were found on data
-     * that both have: those are the errors that are reported.
+     * Whether a fit with more in it does better than the base on data that neither has seen, with the sensors' errors as they were found on
+     * data that both have: those are the errors that are reported.
      */
     private boolean foretells(Fitter.State fit) {
         SeenErrors errors = new SeenErrors(evidence);
@@ -141,8 +146,8 @@ final class Verdicts {
             // What would be said without it first.
             List<Diagnosis.Named> rivals = new ArrayList<>(List.of(found.asNumbers(base)));
             rivals.addAll(Standing.named(found.fits(), found.posterior(), Standing.claim(found.fits().get(0))));
-            return new Finding(reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(first), rivals,
-                    List.of(), words.imitating(rivals.get(0)));
+            return new Finding(reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS, values.fit(),
+                    values.scale(), List.of(first), rivals, List.of(), words.imitating(rivals.get(0)));
         });
     }
 
@@ -152,8 +157,8 @@ final class Verdicts {
                 // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
                 .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && isQuiet(fit.reduced(), refinement.heldOut(fit)) && foretells(fit)).map(fit -> {
                     Values values = new Values(evidence, fit);
-                    return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(values.named(fit.candidate().last(), IMITATED)),
-                            List.of(), List.of(), ".");
+                    return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(),
+                            List.of(values.named(fit.candidate().last(), IMITATED)), List.of(), List.of(), ".");
                 });
     }
 
@@ -163,8 +168,8 @@ final class Verdicts {
         boolean heldQuiet = heldBefore < Refinement.SILENT;
         if (isQuiet(base.reduced(), heldBefore)) {
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05 && isQuiet(given.reduced(), refinement.heldOut(given));
-            return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, scale, List.of(), List.of(), List.of(),
-                    words.counting());
+            return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, scale, List.of(),
+                    List.of(), List.of(), words.counting());
         }
         if (quiet || heldQuiet || Math.max(base.reduced(), heldBefore) < Refinement.STRANGE) {
             return cannotTell(words.cannotTell(quiet == heldQuiet ? "more than noise leaves, and too little for any mechanism to stand out"
@@ -179,7 +184,12 @@ final class Verdicts {
         return given.reduced() < PLAIN;
     }
 
-    /** Whether both windows together show nothing, and neither by itself shows something plain. @param fit what the window fitted leaves @param held the other */
+    /**
+     * Whether both windows together show nothing, and neither by itself shows something plain.
+     *
+     * @param fit what the window fitted leaves
+     * @param held the other
+     */
     private boolean isQuiet(double fit, double held) {
         double all = evidence.fit().length() + evidence.heldOut().length();
         return (evidence.fit().length() * fit + evidence.heldOut().length() * held) / all < Refinement.SILENT && Math.max(fit, held) < PLAIN;
@@ -200,7 +210,10 @@ final class Verdicts {
                 : new Experiments(evidence.library()).between(missing, rivals, atBase(), scale.deviation() > 0, turned());
     }
 
-    /** The mechanisms of the best hypothesis; not by name alone where they leave too much, and not at all where all of it may as well be nothing. */
+    /**
+     * The mechanisms of the best hypothesis; not by name alone where they leave too much, and not at all where all of it may as well be
+     * nothing.
+     */
     private Optional<Finding> named(Supplier<List<Diagnosis.Latent>> locate) {
         double p = standing.probability();
         // What fits best at a bound that nothing real has is something else.
@@ -232,8 +245,8 @@ final class Verdicts {
     /** A force that nobody measured, as a finding. @param masses their scale */
     private Diagnosis.Named push(BodyForce force, MassScale masses, double probability) {
         double rms = masses.factor() * force.rms();
-        return new Diagnosis.Named(new UnmeasuredForce().word(), evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
-                Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), base.reduced());
+        return new Diagnosis.Named(new UnmeasuredForce().word(), evidence.model().bodies().get(force.body()).name(), probability,
+                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), base.reduced());
     }
 
     /** Whether a diagnosis names a push and a mechanism beside it. */

@@ -182,7 +182,8 @@ final class CSource {
             }
         }
         table("MOUNT", mounts, "parameter with the frequency of each sensor's mount");
-        line("\n/* A link as a law sees it: deflection r [m] and speed v [m/s], r at the step's start, the law's memory, time t [s], length of the step h [s],");
+        line("\n/* A link as a law sees it: deflection r [m] and speed v [m/s], r at the step's start, the law's memory, time t [s], "
+                + "length of the step h [s],");
         line("   the link's stiffness k [N/m] and damping c [N s/m], what the law is multiplied by, r and v some time ago. */");
         line("typedef struct {\n    double " + String.join(", ", MOTION) + ";\n} Motion;");
         line("typedef struct Model Model;");

@@ -14,7 +14,10 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import wbv.body.Model;
 
-/** A model as functional mock-up unit for co-simulation, FMI 3.0: description, C source, and the binary of this machine where a compiler is found. */
+/**
+ * A model as functional mock-up unit for co-simulation, FMI 3.0: description, C source, and the binary of this machine where a compiler is
+ * found.
+ */
 final class FmuFile {
 
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
@@ -81,8 +84,9 @@ final class FmuFile {
             Path library = folder.resolve("model" + ending());
             for (String compiler : COMPILERS) {
                 try {
-                    Process process = new ProcessBuilder(compiler, "-std=c99", "-O2", "-w", "-ffp-contract=off", "-fvisibility=hidden", "-shared", "-fPIC", "-o",
-                            library.toString(), source.toString(), "-lm").redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile()).start();
+                    Process process = new ProcessBuilder(compiler, "-std=c99", "-O2", "-w", "-ffp-contract=off", "-fvisibility=hidden",
+                            "-shared", "-fPIC", "-o", library.toString(), source.toString(), "-lm").redirectErrorStream(true)
+                            .redirectOutput(folder.resolve("log").toFile()).start();
                     if (process.waitFor() == 0) {
                         return Optional.of(Files.readAllBytes(library));
                     }
@@ -111,15 +115,16 @@ final class FmuFile {
                 .append("\">\n  <CoSimulation modelIdentifier=\"").append(identifier)
                 .append("\" canHandleVariableCommunicationStepSize=\"true\" canBeInstantiatedOnlyOncePerProcess=\"false\"/>\n")
                 .append("  <DefaultExperiment startTime=\"0\" stepSize=\"").append(1.0 / 240).append("\"/>\n  <ModelVariables>\n")
-                .append("    <Float64 name=\"time\" valueReference=\"0\" causality=\"independent\" variability=\"continuous\" description=\"[s]\"/>\n");
+                .append("    <Float64 name=\"time\" valueReference=\"0\" causality=\"independent\" variability=\"continuous\" "
+                        + "description=\"[s]\"/>\n");
         int reference = 1;
         for (Map.Entry<String, String> input : source.signals().units().entrySet()) {
             variable(out, input.getKey(), reference++, "input", "continuous", Optional.of(0.0), "[" + input.getValue() + "]");
         }
         int firstOutput = reference;
         for (wbv.recording.Channel output : model.outputs()) {
-            variable(out, source.signals().units().containsKey(output.toString()) ? output + " simulated" : output.toString(), reference++, "output", "continuous",
-                    Optional.empty(), "[" + output.quantity().unit() + "]");
+            variable(out, source.signals().units().containsKey(output.toString()) ? output + " simulated" : output.toString(), reference++,
+                    "output", "continuous", Optional.empty(), "[" + output.quantity().unit() + "]");
         }
         int outputs = reference;
         List<wbv.body.law.LawAt> laws = model.assembly().laws();

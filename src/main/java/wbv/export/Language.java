@@ -43,7 +43,8 @@ enum Language {
             return name.text().equals("pi") ? functions.get("pi") : name.text();
         }
         if (expression instanceof Expression.Negative negative) {
-            return within("-" + of(negative.of(), TIGHT), this == MODELICA ? 2 : 3, rank);   // Modelica has a sign at the beginning of a sum alone
+            // Modelica has a sign at the beginning of a sum alone.
+            return within("-" + of(negative.of(), TIGHT), this == MODELICA ? 2 : 3, rank);
         }
         if (expression instanceof Expression.Binary binary) {
             int own = rankOf(binary.operator());

@@ -209,11 +209,13 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     force = share * ((stiffness_factor - 1) * k * r + (damping_factor - 1) * c * v)
                     """),
             Map.entry("ScheduledLink", """
-                    g = max(-0.97, modulation * (linear_change + modulation * (square_change + modulation * (cube_change + modulation * fourth_change))))
+                    g = max(-0.97, modulation * (linear_change + modulation * (square_change + modulation * (cube_change \
+                    + modulation * fourth_change))))
                     force = g * CARRIED
                     """),
             Map.entry("ScheduledFriction", """
-                    most = max(0, middle_N + modulation * (linear_N + modulation * (square_N + modulation * (cube_N + modulation * fourth_N))))
+                    most = max(0, middle_N + modulation * (linear_N + modulation * (square_N + modulation * (cube_N \
+                    + modulation * fourth_N))))
                     force = most * tanh(v / transition_m_per_s)
                     """),
             Map.entry("SlowDrift", """

@@ -12,8 +12,8 @@ import wbv.recording.DataFault;
 /**
  * A model for MuJoCo, seen from its base: each body slides along the model's axis, each link is a tendon of the difference of two slides.
  *
- * <p>Of the laws, MuJoCo has play (a tendon's spring has a range in which it is slack) and inertance (a tendon's armature); all others act as
- * generalized forces.
+ * <p>Of the laws, MuJoCo has play (a tendon's spring has a range in which it is slack) and inertance (a tendon's armature); all others act
+ * as generalized forces.
  */
 final class MujocoText {
 
@@ -33,8 +33,10 @@ final class MujocoText {
         }
         for (LawAt at : foreign()) {
             if (at.law() instanceof LearnedInertance inertance) {
-                throw new DataFault("MuJoCo takes the inertance of " + inertance.inertance() + " kg in the link " + names.links().get(at.link())
-                        + " only between the base and a body, not negative, and where nobody reads the link's force; --to python, fmu and modelica can");
+                throw new DataFault("MuJoCo takes the inertance of " + inertance.inertance() + " kg in the link "
+                        + names.links().get(at.link())
+                        + " only between the base and a body, not negative, and where nobody reads the link's force; --to python, fmu "
+                        + "and modelica can");
             }
         }
     }

@@ -129,7 +129,11 @@ final class PythonText {
         line("    ]");
     }
 
-    /** A law as a function of the motion that gives force and memory. @param starts whether also what it remembers where it carries a force */
+    /**
+     * A law as a function of the motion that gives force and memory.
+     *
+     * @param starts whether also what it remembers where it carries a force
+     */
     static void law(StringBuilder out, int i, LawAt at, Names names, boolean starts) {
         LawForm form = LawForm.of(at.law());
         out.append("\n\ndef law_").append(i).append("(motion):\n    \"\"\"Force [N] of ").append(at.law().mechanism()).append(" in ")

@@ -14,8 +14,9 @@ import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 
 /**
- * What a simulator that steps forward has to be given: the base's motion, and what laws, drives and sensors ask for beside it. Where {@code wbv
- * simulate} filters a channel to both sides in time, as for the angle that an angular rate makes, the result is an input of its own.
+ * What a simulator that steps forward has to be given: the base's motion, and what laws, drives and sensors ask for beside it. Where
+ * {@code wbv simulate} filters a channel to both sides in time, as for the angle that an angular rate makes, the result is an input of its
+ * own.
  *
  * @param units unit by name, in order
  */

@@ -18,7 +18,10 @@ public final class ExactWeigher implements Weigher {
     private static final double PERIODS = 8;
     /** Length of a block in pads. */
     private static final int PADS = 6;
-    /** The same where pads are longer than so many samples, as those of motion sickness at rates of kHz: a third of the memory for half as much time again. */
+    /**
+     * The same where pads are longer than so many samples, as those of motion sickness at rates of kHz: a third of the memory for half as
+     * much time again.
+     */
     private static final int FEW_PADS = 2;
     private static final int LONG_PAD = 1 << 17;
 

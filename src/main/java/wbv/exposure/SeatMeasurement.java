@@ -32,7 +32,13 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
                               Map<ComfortAxis, Double> comfort, Optional<Vibration> sickness, Optional<Spine> spine,
                               Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, List<Remark> remarks) {
 
-    /** What ISO 2631-5 makes of vertical shocks. @param dose Dz of the time measured [m/s²] @param peaks that make it up @param seconds measured */
+    /**
+     * What ISO 2631-5 makes of vertical shocks.
+     *
+     * @param dose Dz of the time measured [m/s²]
+     * @param peaks that make it up
+     * @param seconds measured
+     */
     public record Spine(double dose, long peaks, double seconds) { }
 
     /** Weighted acceleration and its running r.m.s. over 1 s, drawn small. @param step between the values they hold [s] */

@@ -270,7 +270,10 @@ public final class SeatMeter {
         }
     }
 
-    /** Gives what was gathered to all that measure, side by side: none knows of another, so that the results are those of one after the other. */
+    /**
+     * Gives what was gathered to all that measure, side by side: none knows of another, so that the results are those of one after the
+     * other.
+     */
     private void handOut() {
         takers.parallelStream().forEach(taker -> {
             for (int i = 0; i < rows; i++) {

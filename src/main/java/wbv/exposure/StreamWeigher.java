@@ -10,8 +10,9 @@ import wbv.snapshot.StateWriter;
 /**
  * A weighting for streams of any rate from 50 Hz. Samples are raised to twice their rate, where powers of the weighted signal, which ends
  * at a quarter of it, have the means that they have between the values; there a cascade of biquads that has the weighting's memory
- * (matched transform) and a {@link Correction} follow the analog weighting within 10⁻⁴ to nine tenths of what samples can hold. Where a peak
- * may lie between two values it is looked for. From {@value #WORKING_RATE} Hz on samples are weighted as they are, by the bilinear transform.
+ * (matched transform) and a {@link Correction} follow the analog weighting within 10⁻⁴ to nine tenths of what samples can hold. Where a
+ * peak may lie between two values it is looked for. From {@value #WORKING_RATE} Hz on samples are weighted as they are, by the bilinear
+ * transform.
  *
  * <p>The mean of the first second counts as having been there always, so that neither gravity nor a bias makes a transient.
  * Allocates nothing per sample.
@@ -314,9 +315,9 @@ public final class StreamWeigher implements Weigher, Snapshot {
     }
 
     /**
-     * The first form, of when samples were raised to {@value #WORKING_RATE} Hz and weighted there. Its latest samples go through the filters
-     * of today from the level on; what its longer filters had not given yet is {@linkplain #giveOwed owed}. Where nothing is raised it goes on as
-     * it was.
+     * The first form, of when samples were raised to {@value #WORKING_RATE} Hz and weighted there. Its latest samples go through the
+     * filters of today from the level on; what its longer filters had not given yet is {@linkplain #giveOwed owed}. Where nothing is raised
+     * it goes on as it was.
      */
     private void loadFirst(StateReader in) {
         loadBeginning(in);

@@ -91,7 +91,12 @@ public enum Weighting {
         return band < range.second || band > range.third ? new Tolerance(0.21, 0.26) : new Tolerance(0.11, 0.12);
     }
 
-    /** How far a weighting may be off at a frequency. @param below part that may be lacking, 0 to 1 @param above part that may be too much */
+    /**
+     * How far a weighting may be off at a frequency.
+     *
+     * @param below part that may be lacking, 0 to 1
+     * @param above part that may be too much
+     */
     public record Tolerance(double below, double above) { }
 
     /** @param gain K @param f3 [Hz] @param f4 [Hz] */

@@ -61,7 +61,12 @@ public final class CrossAxes implements Serializable, Snapshot {
     private long measured;
     private boolean learning;
 
-    /** Knows no response of any motion yet. @param rate [Hz], &gt; 0  @param others number of motions beside the estimator's own input, &gt;= 0 */
+    /**
+     * Knows no response of any motion yet.
+     *
+     * @param rate [Hz], &gt; 0
+     * @param others number of motions beside the estimator's own input, &gt;= 0
+     */
     public CrossAxes(double rate, int others) {
         if (!(rate > 0) || others < 0) {
             throw new IllegalArgumentException("sampling rate must be > 0 Hz and other motions >= 0: " + rate + ", " + others);

@@ -122,7 +122,9 @@ final class Linearised implements Moments {
         return variance;
     }
 
-    /** P = (I - KH) P (I - KH)ᵀ + K R Kᵀ (Joseph), by {@code A = P - K (P Hᵀ)ᵀ} and {@code P = A - (A Hᵀ) Kᵀ + K R Kᵀ}. Thesis: Eq. 4-17. */
+    /**
+     * P = (I - KH) P (I - KH)ᵀ + K R Kᵀ (Joseph), by {@code A = P - K (P Hᵀ)ᵀ} and {@code P = A - (A Hᵀ) Kᵀ + K R Kᵀ}. Thesis: Eq. 4-17.
+     */
     @Override
     public void reduce(double[] gain, double r, double[] p) {
         for (int i = 0; i < n; i++) {

@@ -48,7 +48,9 @@ public final class ShareExplained implements Serializable, Snapshot {
         }
     }
 
-    /** Share of the output's variance that the predictions explain, at most 1; below 0 they are worse than its mean. NaN before it moves. */
+    /**
+     * Share of the output's variance that the predictions explain, at most 1; below 0 they are worse than its mean. NaN before it moves.
+     */
     public double share() {
         return total > 0 ? 1 - errors / total : Double.NaN;
     }

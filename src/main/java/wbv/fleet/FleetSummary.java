@@ -19,8 +19,8 @@ import wbv.seat.SeatResult;
  * @param lost_samples              of all seats
  * @param worst                     seats by A(8), the worst first
  */
-public record FleetSummary(int seats, long samples, long resumed_behind, double samples_per_second_a_core, long packets, long came_twice, long too_late,
-                           long lost, long lost_samples, List<Worst> worst) {
+public record FleetSummary(int seats, long samples, long resumed_behind, double samples_per_second_a_core, long packets, long came_twice,
+        long too_late, long lost, long lost_samples, List<Worst> worst) {
 
     private static final int NAMED = 10;
 
@@ -29,8 +29,8 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
     }
 
     /** One of the seats worst off. @param a8_m_per_s2 daily exposure @param vdv_m_per_s175 dose */
-    public record Worst(String seat, double a8_m_per_s2, double vdv_m_per_s175, double minutes_to_action_value, double minutes_to_limit_value,
-                        long lost_samples) { }
+    public record Worst(String seat, double a8_m_per_s2, double vdv_m_per_s175, double minutes_to_action_value,
+            double minutes_to_limit_value, long lost_samples) {}
 
     /** What a run came to, with the ten seats worst off. */
     public static FleetSummary of(FleetRun.Outcome outcome) {
@@ -68,15 +68,15 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
             text.append(String.format(Locale.ROOT, "; %.2f µs of processor time a sample: %.0f samples/s a core, which carries %.0f seats",
                     1e6 / samples_per_second_a_core, samples_per_second_a_core, samples_per_second_a_core / rate));
         }
-        text.append(String.format(Locale.ROOT, "%nPackets: %d taken, %d came twice, %d too late, %d lost (%d samples)%n", packets, came_twice, too_late, lost,
-                lost_samples));
+        text.append(String.format(Locale.ROOT, "%nPackets: %d taken, %d came twice, %d too late, %d lost (%d samples)%n", packets,
+                came_twice, too_late, lost, lost_samples));
         if (!worst.isEmpty()) {
-            text.append(String.format(Locale.ROOT, "%-12s %10s %12s %14s %13s %12s%n", "worst seats", "A(8) m/s²", "VDV m/s^1.75", "min to action",
-                    "min to limit", "lost samples"));
+            text.append(String.format(Locale.ROOT, "%-12s %10s %12s %14s %13s %12s%n", "worst seats", "A(8) m/s²", "VDV m/s^1.75",
+                    "min to action", "min to limit", "lost samples"));
         }
         for (Worst each : worst) {
-            text.append(String.format(Locale.ROOT, "%-12s %9.3f %12.2f %14.0f %13.0f %12d%n", each.seat(), each.a8_m_per_s2(), each.vdv_m_per_s175(),
-                    each.minutes_to_action_value(), each.minutes_to_limit_value(), each.lost_samples()));
+            text.append(String.format(Locale.ROOT, "%-12s %9.3f %12.2f %14.0f %13.0f %12d%n", each.seat(), each.a8_m_per_s2(),
+                    each.vdv_m_per_s175(), each.minutes_to_action_value(), each.minutes_to_limit_value(), each.lost_samples()));
         }
         return text.toString();
     }

@@ -22,7 +22,8 @@ import wbv.recording.AtomicFile;
 public final class FleetTable {
 
     /** First line of machines.csv, with its end. */
-    public static final String MACHINES = "from_s,to_s,machine,seats,a8_m_per_s2,minutes_to_action,minutes_to_limit,worst_seat,lost_minutes\n";
+    public static final String MACHINES = "from_s,to_s,machine,seats,a8_m_per_s2,minutes_to_action,minutes_to_limit,"
+            + "worst_seat,lost_minutes\n";
     /** First line of worst.csv, with its end. */
     public static final String WORST = "from_s,to_s,rank,seat,a8_m_per_s2,minutes_to_action,minutes_to_limit,lost_minutes\n";
     private static final int LISTED = 10;

@@ -14,8 +14,8 @@ import wbv.recording.DataFault;
 import wbv.seat.Packet;
 
 /**
- * The bytes of {@link Packet packets} in files, one behind the other, one file after the other. Bytes between them that are no whole packet are
- * given as they are, in pieces of {@value #MOST_UNREAD} at most: whatever is damaged, the next whole packet is found.
+ * The bytes of {@link Packet packets} in files, one behind the other, one file after the other. Bytes between them that are no whole packet
+ * are given as they are, in pieces of {@value #MOST_UNREAD} at most: whatever is damaged, the next whole packet is found.
  */
 public final class PacketFiles implements Closeable {
 

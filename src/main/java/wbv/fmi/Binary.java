@@ -17,8 +17,8 @@ import java.util.Map;
 import wbv.recording.DataFault;
 
 /**
- * The native part of a unit: its functions by name, their status made a {@link DataFault} with what the unit said last. A unit that crashes takes the
- * program with it; nothing but the functions of the standard is called, with memory that outlives the call.
+ * The native part of a unit: its functions by name, their status made a {@link DataFault} with what the unit said last. A unit that crashes
+ * takes the program with it; nothing but the functions of the standard is called, with memory that outlives the call.
  */
 final class Binary implements Closeable {
 
@@ -59,7 +59,12 @@ final class Binary implements Closeable {
         return String.valueOf(failed.getMessage()).lines().findFirst().orElse("");
     }
 
-    /** Calls a function that gives a status. @param doing what is being done, for the message @throws DataFault if it fails, with what the unit said */
+    /**
+     * Calls a function that gives a status.
+     *
+     * @param doing what is being done, for the message
+     * @throws DataFault if it fails, with what the unit said
+     */
     void call(String doing, String function, Object... arguments) {
         int status = function(function).invokeInt(arguments);
         if (status >= FAILED) {
@@ -129,8 +134,8 @@ final class Binary implements Closeable {
     }
 
     /**
-     * A message of FMI 2.0 with a text for its first placeholder, where that is one of a text, and none for the others. ARM on macOS hands such arguments
-     * over where no function finds them that does not expect any; there placeholders stay empty.
+     * A message of FMI 2.0 with a text for its first placeholder, where that is one of a text, and none for the others. ARM on macOS hands
+     * such arguments over where no function finds them that does not expect any; there placeholders stay empty.
      */
     static String filled(String message, Pointer first) {
         if (message == null) {

@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A run of a unit that steps itself. Over a step it takes its inputs for constant, or for straight lines where it can; they are given so that what it
- * takes does what the recorded signal does, to second order of the step. Before outputs are read, the inputs are those of that moment.
+ * A run of a unit that steps itself. Over a step it takes its inputs for constant, or for straight lines where it can; they are given so
+ * that what it takes does what the recorded signal does, to second order of the step. Before outputs are read, the inputs are those of that
+ * moment.
  */
 final class CoSimulationRun extends Run {
 

@@ -19,8 +19,8 @@ import java.util.OptionalDouble;
  * @param step            of the default experiment [s], where one is declared
  * @param logCategories   of which its messages are
  */
-public record Description(int version, String model, String token, Optional<Kind> coSimulation, Optional<Kind> modelExchange, List<Variable> variables,
-                          int states, int eventIndicators, OptionalDouble step, List<String> logCategories) {
+public record Description(int version, String model, String token, Optional<Kind> coSimulation, Optional<Kind> modelExchange,
+        List<Variable> variables, int states, int eventIndicators, OptionalDouble step, List<String> logCategories) {
 
     /**
      * One of the ways to run it.

@@ -21,8 +21,8 @@ import wbv.recording.DataFault;
 /** Reads a {@code modelDescription.xml} of FMI 2.0 or 3.0. No external entity is followed, and no document type is read. */
 final class DescriptionReader {
 
-    private static final Set<String> TYPES = Set.of("Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64", "Boolean",
-            "String", "Binary", "Enumeration", "Clock");
+    private static final Set<String> TYPES = Set.of("Float64", "Float32", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64",
+            "UInt64", "Boolean", "String", "Binary", "Enumeration", "Clock");
     private static final int SHOWN = 120;
 
     private final XMLStreamReader xml;
@@ -129,8 +129,8 @@ final class DescriptionReader {
         if (identifier.isEmpty() || identifier.contains("/") || identifier.contains("\\") || identifier.contains("..")) {
             throw new DataFault("its modelIdentifier is no name of a file: '" + identifier + "'");
         }
-        return new Description.Kind(identifier, is("canHandleVariableCommunicationStepSize"), number("fixedInternalStepSize"), is("canInterpolateInputs"),
-                is("providesDirectionalDerivative") || is("providesDirectionalDerivatives"),
+        return new Description.Kind(identifier, is("canHandleVariableCommunicationStepSize"), number("fixedInternalStepSize"),
+                is("canInterpolateInputs"), is("providesDirectionalDerivative") || is("providesDirectionalDerivatives"),
                 is("completedIntegratorStepNotNeeded") || text("needsCompletedIntegratorStep").filter("false"::equals).isPresent());
     }
 
@@ -158,8 +158,8 @@ final class DescriptionReader {
         Variable outer = open.orElseThrow();
         boolean real = element.equals("Real");
         if (real || element.equals("Dimension")) {
-            open = Optional.of(new Variable(outer.name(), outer.reference(), outer.role(), outer.tunable(), real, real ? start() : OptionalDouble.empty(),
-                    real ? unit() : VariableUnit.NONE));
+            open = Optional.of(new Variable(outer.name(), outer.reference(), outer.role(), outer.tunable(), real,
+                    real ? start() : OptionalDouble.empty(), real ? unit() : VariableUnit.NONE));
         }
     }
 

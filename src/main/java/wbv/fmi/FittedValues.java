@@ -17,10 +17,11 @@ import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
 /**
- * Tunable parameters with which a unit comes nearest to a recording, by Gauss and Newton's method with Marquardt's damping, of the likelihood of white
- * residuals whose levels are not known. The first tenth, five seconds at most, does not count, since the unit begins at rest and the recording in
- * motion; a constant of each output does not count either. Each parameter is held to its start value as by a measurement that is off by half of it. What
- * the recording does not tell (accelerations: a factor on all masses, stiffness and damping) is chosen so that few parameters change, and counts as known.
+ * Tunable parameters with which a unit comes nearest to a recording, by Gauss and Newton's method with Marquardt's damping, of the
+ * likelihood of white residuals whose levels are not known. The first tenth, five seconds at most, does not count, since the unit begins at
+ * rest and the recording in motion; a constant of each output does not count either. Each parameter is held to its start value as by a
+ * measurement that is off by half of it. What the recording does not tell (accelerations: a factor on all masses, stiffness and damping) is
+ * chosen so that few parameters change, and counts as known.
  *
  * <p>Standard deviations are those of blocks of the gradient (White 1980), so that what the residuals have of colour is counted.
  *
@@ -87,7 +88,12 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
             first = (int) Math.min(samples / 10, WARMING * recording.clock().rate());
         }
 
-        /** Where a fit stands. @param x changes in units of the scale @param residual by channel, recorded less simulated, its mean taken away; NaN where missing */
+        /**
+         * Where a fit stands.
+         *
+         * @param x changes in units of the scale
+         * @param residual by channel, recorded less simulated, its mean taken away; NaN where missing
+         */
         private record Stand(double[] x, double[][] simulated, double[][] residual, double cost) { }
 
         private Map<String, Double> values(double[] x) {
@@ -236,7 +242,9 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
          */
         private record Told(DMatrixRMaj inverse, List<double[]> others) {
 
-            /** Moved along what is not told, so that the sum of all changes is least: then few parameters have changed, not all a little. */
+            /**
+             * Moved along what is not told, so that the sum of all changes is least: then few parameters have changed, not all a little.
+             */
             double[] sparsest(double[] x) {
                 double[] out = x.clone();
                 for (int pass = 0; pass < PASSES; pass++) {

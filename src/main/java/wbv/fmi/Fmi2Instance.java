@@ -38,8 +38,8 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
         callbacks.setPointer(2L * Native.POINTER_SIZE, Binary.ofC("free"));
         boolean own = way == Way.CO_SIMULATION;
         silent = (own ? description.coSimulation() : description.modelExchange()).orElseThrow().silentSteps();
-        handle = binary.make("its instantiation", "fmi2Instantiate", description.model(), own ? CO_SIMULATION : MODEL_EXCHANGE, description.token(),
-                resources.toString(), callbacks, FALSE, FALSE);
+        handle = binary.make("its instantiation", "fmi2Instantiate", description.model(), own ? CO_SIMULATION : MODEL_EXCHANGE,
+                description.token(), resources.toString(), callbacks, FALSE, FALSE);
         String[] errors = description.errorCategories();
         if (errors.length > 0) {
             // What it answers does not matter: it is only about its words.
@@ -149,8 +149,8 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
 
     @Override
     public boolean directional(VariableBlock unknown, VariableBlock known) {
-        return binary.gives("fmi2GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references, Binary.size(known.size),
-                known.values, unknown.values);
+        return binary.gives("fmi2GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references,
+                Binary.size(known.size), known.values, unknown.values);
     }
 
     private void call(String doing, String function, Object... arguments) {

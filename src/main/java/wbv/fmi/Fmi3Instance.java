@@ -26,9 +26,11 @@ final class Fmi3Instance implements Instance {
         boolean own = way == Way.CO_SIMULATION;
         silent = (own ? description.coSimulation() : description.modelExchange()).orElseThrow().silentSteps();
         String folder = resources.toAbsolutePath() + File.separator;
-        handle = own ? binary.make("its instantiation", "fmi3InstantiateCoSimulation", description.model(), description.token(), folder, FALSE, FALSE, FALSE, FALSE,
-                Pointer.NULL, Binary.size(0), Pointer.NULL, logger, Pointer.NULL)
-                : binary.make("its instantiation", "fmi3InstantiateModelExchange", description.model(), description.token(), folder, FALSE, FALSE, Pointer.NULL, logger);
+        handle = own
+                ? binary.make("its instantiation", "fmi3InstantiateCoSimulation", description.model(), description.token(), folder, FALSE,
+                        FALSE, FALSE, FALSE, Pointer.NULL, Binary.size(0), Pointer.NULL, logger, Pointer.NULL)
+                : binary.make("its instantiation", "fmi3InstantiateModelExchange", description.model(), description.token(), folder, FALSE,
+                        FALSE, Pointer.NULL, logger);
         String[] errors = description.errorCategories();
         if (errors.length > 0) {
             // What it answers does not matter: it is only about its words.
@@ -138,8 +140,8 @@ final class Fmi3Instance implements Instance {
 
     @Override
     public boolean directional(VariableBlock unknown, VariableBlock known) {
-        return binary.gives("fmi3GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references, Binary.size(known.size),
-                known.values, Binary.size(known.size), unknown.values, Binary.size(unknown.size));
+        return binary.gives("fmi3GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references,
+                Binary.size(known.size), known.values, Binary.size(known.size), unknown.values, Binary.size(unknown.size));
     }
 
     private void call(String doing, String function, Object... arguments) {

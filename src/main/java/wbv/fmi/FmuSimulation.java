@@ -18,11 +18,11 @@ import wbv.recording.Quantity;
 import wbv.recording.Recording;
 
 /**
- * A user's simulator, a functional mock-up unit of FMI 2.0 or 3.0, run on the inputs of a recording. Its time is 0 at the recording's first sample; it
- * begins with its own start values. Units that can be run both ways step themselves.
+ * A user's simulator, a functional mock-up unit of FMI 2.0 or 3.0, run on the inputs of a recording. Its time is 0 at the recording's first
+ * sample; it begins with its own start values. Units that can be run both ways step themselves.
  *
- * <p>The mean of accelerations and angular rates is taken away before they go in, as wbv's own simulator does: it is the sensor's, and no base moves
- * off for as long as a recording lasts.
+ * <p>The mean of accelerations and angular rates is taken away before they go in, as wbv's own simulator does: it is the sensor's, and no
+ * base moves off for as long as a recording lasts.
  *
  * <pre>{@code
  * try (FmuSimulation simulation = FmuSimulation.open(Path.of("rig.fmu"), recording, Map.of(), Map.of())) {
@@ -37,7 +37,10 @@ public final class FmuSimulation implements Closeable {
     private static final int MOST = 256;
     /** Samples on which the step is chosen. */
     private static final int TRIED = 1500;
-    /** Change of an output at half the step, over its root mean square, below which the step is fine enough: a second-order method is then off by a third. */
+    /**
+     * Change of an output at half the step, over its root mean square, below which the step is fine enough: a second-order method is then
+     * off by a third.
+     */
     private static final double ENOUGH = 5e-5;
     /** A change that shrinks less than this from step to step is the unit's own, and shrinks no more. */
     private static final double SHRINKS = 1.5;
@@ -132,8 +135,8 @@ public final class FmuSimulation implements Closeable {
     /** What it is and what was assumed, a line each; how fine its steps are once it has run. */
     public List<String> notes() {
         List<String> notes = new ArrayList<>();
-        notes.add(String.format(Locale.ROOT, "%s: FMI %d.0 %s '%s'%s", name, unit.version(), ownSteps() ? "co-simulation" : "model exchange", unit.model(),
-                fineness.map(this::words).orElse("")));
+        notes.add(String.format(Locale.ROOT, "%s: FMI %d.0 %s '%s'%s", name, unit.version(),
+                ownSteps() ? "co-simulation" : "model exchange", unit.model(), fineness.map(this::words).orElse("")));
         notes.addAll(wiring.notes());
         notes.add(tunable.isEmpty() ? "no tunable parameter: its values are taken as right" : "tunable, and so perhaps wrong: " + String.join(", ", parameters().keySet()));
         return List.copyOf(notes);
@@ -208,7 +211,11 @@ public final class FmuSimulation implements Closeable {
         return start > 0 ? start : 1;
     }
 
-    /** As {@link #sensitivities}, by differences to a run that is known: half the runs, an order less exact. @param from outputs at the values */
+    /**
+     * As {@link #sensitivities}, by differences to a run that is known: half the runs, an order less exact.
+     *
+     * @param from outputs at the values
+     */
     double[][][] slopes(Map<String, Double> at, double[][] from, List<String> of, int samples) {
         Map<String, Double> all = new LinkedHashMap<>(parameters());
         all.putAll(at);

@@ -4,8 +4,8 @@ import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
 
 /**
- * A recorded channel at any moment: between samples band-limited, by a sinc in Kaiser's window (pass band to 0.44 of the rate, 90 dB: Kaiser 1974) to
- * eight points a sample, and between these by a cubic. Before and after, it goes on as its point mirror image.
+ * A recorded channel at any moment: between samples band-limited, by a sinc in Kaiser's window (pass band to 0.44 of the rate, 90 dB:
+ * Kaiser 1974) to eight points a sample, and between these by a cubic. Before and after, it goes on as its point mirror image.
  */
 final class InputSignal {
 

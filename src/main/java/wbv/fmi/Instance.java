@@ -3,7 +3,10 @@ package wbv.fmi;
 import com.sun.jna.Memory;
 import java.io.Closeable;
 
-/** One run of a unit: the calls of the standard that wbv makes, the same for FMI 2.0 and 3.0. Every one throws a fault of the data where it fails. */
+/**
+ * One run of a unit: the calls of the standard that wbv makes, the same for FMI 2.0 and 3.0. Every one throws a fault of the data where it
+ * fails.
+ */
 interface Instance extends Closeable {
 
     /** Ways of a unit to be run. */

@@ -4,9 +4,9 @@ import com.sun.jna.Memory;
 import java.util.List;
 
 /**
- * A run of a unit that gives derivatives only: integrated by the classical method of Runge and Kutta of fourth order, its inputs as recorded at every
- * stage. A step in which an event indicator changes its sign is halved until that moment is found to 1e-9 of a step; steps end at the time events that
- * the unit announces.
+ * A run of a unit that gives derivatives only: integrated by the classical method of Runge and Kutta of fourth order, its inputs as
+ * recorded at every stage. A step in which an event indicator changes its sign is halved until that moment is found to 1e-9 of a step;
+ * steps end at the time events that the unit announces.
  *
  * <p>Hairer, Norsett, Wanner 1993, Solving ordinary differential equations I, II.1 and II.6.
  */
@@ -96,7 +96,11 @@ final class ModelExchangeRun extends Run {
         }
     }
 
-    /** Integrates to a time, or to just behind the first change of an event indicator's sign, and leaves the unit there. @return the time reached */
+    /**
+     * Integrates to a time, or to just behind the first change of an event indicator's sign, and leaves the unit there.
+     *
+     * @return the time reached
+     */
     private double signed(double time, double target) {
         System.arraycopy(x, 0, from, 0, states);
         integrate(time, target - time);

@@ -27,10 +27,12 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
     private static final String FORCE = "force.";
 
     /**
-     * Finds channels for variables: named by the user, or as {@code platform.acc.z} or {@code platform_acc_z}, alone or behind the names of components.
+     * Finds channels for variables: named by the user, or as {@code platform.acc.z} or {@code platform_acc_z}, alone or behind the names of
+     * components.
      *
      * @param inputs  channels by name of a variable, as the user said @param outputs likewise
-     * @throws DataFault if the user named a variable that is none, no input finds a channel, no output is one that was recorded, or units disagree
+     * @throws DataFault if the user named a variable that is none, no input finds a channel, no output is one that was recorded, or units
+     *                   disagree
      */
     static Wiring of(Description unit, Recording recording, Map<String, Channel> inputs, Map<String, Channel> outputs, String name) {
         List<Variable> entries = unit.reals(Variable.Role.INPUT);

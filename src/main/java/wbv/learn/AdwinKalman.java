@@ -35,7 +35,8 @@ public non-sealed class AdwinKalman extends BodyRegressor {
 
     @Override
     public String getPurposeString() {
-        return "Natural frequency and damping ratio of a body on a shaken base: a bank of extended Kalman filters, with a change detector listening.";
+        return "Natural frequency and damping ratio of a body on a shaken base: a bank of extended Kalman filters, with a change "
+                + "detector listening.";
     }
 
     @Override

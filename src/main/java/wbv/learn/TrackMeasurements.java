@@ -40,7 +40,9 @@ public final class TrackMeasurements {
         }
         return String.format(Locale.ROOT,
                 "%s of freedom at %.4g Hz: %s (one standard deviation)%s; %.3g m/s² (or rad/s) of the output "
-                + "is not explained; the predictions explain %.1f %% of its variance, and nothing at %d samples; %d cuts, %d divergences, %d gaps.", track.modes() == 1 ? "One degree" : "Two degrees",
+                        + "is not explained; the predictions explain %.1f %% of its variance, and nothing at %d samples; %d cuts, %d "
+                        + "divergences, %d gaps.",
+                track.modes() == 1 ? "One degree" : "Two degrees",
                 spec.rate(),
                 modes, track.settled() ? "" : ", not settled", track.outputNoise(), 100 * explained.share(),
                 explained.lost(), track.cuts(), track.divergences(), track.gaps());

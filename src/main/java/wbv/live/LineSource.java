@@ -14,7 +14,9 @@ public interface LineSource extends Closeable {
          *
          * @param sender who sent it: each has a header of his own
          * @param seat   whose samples they are, by the sender; empty where the lines say so themselves
-         * @param text   holds the line, without its end; used again, and not to be modified @param from its first byte @param to behind its last
+         * @param text   holds the line, without its end; used again, and not to be modified
+         * @param from its first byte
+         * @param to behind its last
          */
         void line(String sender, String seat, byte[] text, int from, int to);
 

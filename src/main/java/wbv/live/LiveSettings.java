@@ -36,7 +36,7 @@ public record LiveSettings(ReadOptions reading, Optional<String> columns, Method
 
     /** Everything as it is usual. */
     public static LiveSettings usual() {
-        return new LiveSettings(ReadOptions.DEFAULT, Optional.empty(), Method.EKF_ADWIN, Optional.empty(), List.of(), Optional.empty(), false,
-                Optional.empty(), 1, USUAL_SEATS);
+        return new LiveSettings(ReadOptions.DEFAULT, Optional.empty(), Method.EKF_ADWIN, Optional.empty(), List.of(), Optional.empty(),
+                false, Optional.empty(), 1, USUAL_SEATS);
     }
 }

@@ -67,8 +67,8 @@ final class Watch {
     private void absent(int i) {
         if (++absent[i] > ABSENT * rate && !missing[i]) {
             missing[i] = true;
-            listener.tell(Severity.WARNING, "missing", channels.get(i) + " has brought no number for a second", "check the sensor and its cable",
-                    false);
+            listener.tell(Severity.WARNING, "missing", channels.get(i) + " has brought no number for a second",
+                    "check the sensor and its cable", false);
         }
     }
 

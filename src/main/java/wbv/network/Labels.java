@@ -10,8 +10,8 @@ import wbv.recording.InputFile;
 
 /**
  * What is known of the bodies in recordings: a CSV file, a line for each stretch,
- * {@code recording,from_s,to_s,damping,frequency_Hz}, or with {@code damping1,frequency1_Hz,damping2,frequency2_Hz} for two modes, the slower
- * first. Times are those of the recording's own clock. Lines that are empty or begin with {@code #} say nothing.
+ * {@code recording,from_s,to_s,damping,frequency_Hz}, or with {@code damping1,frequency1_Hz,damping2,frequency2_Hz} for two modes, the
+ * slower first. Times are those of the recording's own clock. Lines that are empty or begin with {@code #} say nothing.
  *
  * @param file for messages
  * @param list in the order of the file

@@ -26,7 +26,11 @@ public final class Reader implements AutoCloseable {
     private final FrequencyFit fit;
     private final List<Block> members = new ArrayList<>();
 
-    /** Loads all members into the engine. @throws wbv.recording.DataFault if PyTorch's library is missing, or the weights are not this network's */
+    /**
+     * Loads all members into the engine.
+     *
+     * @throws wbv.recording.DataFault if PyTorch's library is missing, or the weights are not this network's
+     */
     public Reader(TrainedNetwork model) {
         Engine engine = PyTorch.engine();
         this.model = model;
@@ -51,7 +55,11 @@ public final class Reader implements AutoCloseable {
         return model;
     }
 
-    /** The body of one window. @param motion the model's channels, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified. */
+    /**
+     * The body of one window.
+     *
+     * @param motion the model's channels, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified.
+     */
     public Reading read(double[][] motion) {
         return readAll(List.<double[][]>of(motion)).get(0);
     }

@@ -9,8 +9,8 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * Ridge regression on whole images (Hoerl and Kennard 1970): the least network, without a hidden layer. Solved in the
- * space of the trials, {@code w = Xᵀ (X Xᵀ + λI)⁻¹ y}, for there are more pixels than trials; λ is the one of a few that does best on trials
- * held back.
+ * space of the trials, {@code w = Xᵀ (X Xᵀ + λI)⁻¹ y}, for there are more pixels than trials; λ is the one of a few that does best on
+ * trials held back.
  */
 public final class Ridge {
 

@@ -92,7 +92,13 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
         }
     }
 
-    /** Reads a model from the bytes of its file. @param name of the file, for messages @param bytes Not modified. @throws DataFault as {@link #read} does */
+    /**
+     * Reads a model from the bytes of its file.
+     *
+     * @param name of the file, for messages
+     * @param bytes Not modified.
+     * @throws DataFault as {@link #read} does
+     */
     public static TrainedNetwork parse(String name, byte[] bytes) {
         SafeTensors file = SafeTensors.parse(name, bytes);
         Map<String, String> words = file.words();

@@ -23,7 +23,10 @@ public record TransmissibilityPeak(double frequency, double magnitude) {
     private static final int FEWEST = 6;
     private static final int ROUNDS = 5;
 
-    /** H1 from one signal to another, after so many samples, at a rate [Hz]. Signals are as long as each other; NaN is missing. Neither is modified. */
+    /**
+     * H1 from one signal to another, after so many samples, at a rate [Hz]. Signals are as long as each other; NaN is missing. Neither is
+     * modified.
+     */
     public static FrequencyResponse response(double[] u, double[] y, int from, double rate) {
         CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate, SEGMENT, 0.75), Detrend.MEAN, 1);
         for (int k = from; k < u.length; k++) {

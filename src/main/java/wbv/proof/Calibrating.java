@@ -24,7 +24,11 @@ final class Calibrating {
     private final List<Case> cases;
     private final double chance;
 
-    /** What an answer by one name rests on. @param left mean squares: of the name, then of its rivals, of nothing and of what is in no library */
+    /**
+     * What an answer by one name rests on.
+     *
+     * @param left mean squares: of the name, then of its rivals, of nothing and of what is in no library
+     */
     private record Case(double[] left, boolean right) {
 
         double probability(Calibration calibration) {
@@ -38,7 +42,13 @@ final class Calibrating {
         this.chance = chance;
     }
 
-    /** Empty where no answer tells. @param chance excess that chance leaves @param command that made the answers @param commit of which program */
+    /**
+     * Empty where no answer tells.
+     *
+     * @param chance excess that chance leaves
+     * @param command that made the answers
+     * @param commit of which program
+     */
     static Optional<Calibration> of(List<Marking> markings, double chance, String command, String commit) {
         List<Case> cases = markings.stream().flatMap(marking -> of(marking).stream()).toList();
         return cases.isEmpty() ? Optional.empty() : Optional.of(new Calibrating(cases, chance).calibration(command, commit));

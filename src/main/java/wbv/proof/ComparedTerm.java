@@ -16,7 +16,11 @@ import java.util.Set;
  */
 record ComparedTerm(Set<Factor> factors, boolean lagged) {
 
-    /** @param of what @param at link or channel, empty for the law's own link @param as how it enters: itself, sign, magnitude, square, ... */
+    /**
+     * @param of what
+     * @param at link or channel, empty for the law's own link
+     * @param as how it enters: itself, sign, magnitude, square, ...
+     */
     record Factor(String of, String at, String as) { }
 
     ComparedTerm {

@@ -27,9 +27,9 @@ record ForceMatch(double rate, double[] force, double[] extension, double[] spee
     }
 
     /**
-     * Pearson's correlation of the two forces on the held-out stretch, both limited to {@value #LOW} to {@value #HIGH} Hz and without what the true
-     * extension and rate of the link explain there: a stiffness or damping that the answer has otherwise is no part of either. NaN where one of
-     * the two is then nothing.
+     * Pearson's correlation of the two forces on the held-out stretch, both limited to {@value #LOW} to {@value #HIGH} Hz and without what
+     * the true extension and rate of the link explain there: a stiffness or damping that the answer has otherwise is no part of either. NaN
+     * where one of the two is then nothing.
      */
     double correlation(LawForce answer) {
         return correlation(answer, LOW, HIGH);

@@ -16,7 +16,10 @@ import wbv.recording.Recording;
 /**
  * The force that an answer adds to a link.
  *
- * @param where the link @param rate of the series [Hz] @param from first moment of the held-out stretch, from the first row [s] @param to its last
+ * @param where the link
+ * @param rate of the series [Hz]
+ * @param from first moment of the held-out stretch, from the first row [s]
+ * @param to its last
  * @param newtons by row of the recording, positive in tension @param terms of which it is the sum; none where the answer does not say
  */
 record LawForce(String where, double rate, double from, double to, List<Double> newtons, List<ComparedTerm> terms) {
@@ -27,8 +30,8 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
     }
 
     /**
-     * What all laws together do that the answer's model has in the first named link, and the question's own has not, when it is simulated on the
-     * whole recording. Empty where no link is named or the run leaves all bounds.
+     * What all laws together do that the answer's model has in the first named link, and the question's own has not, when it is simulated
+     * on the whole recording. Empty where no link is named or the run leaves all bounds.
      */
     static Optional<LawForce> of(Diagnosis diagnosis, Model own, Recording recording) {
         List<String> links = diagnosis.model().links().stream().map(Model.Link::name).toList();

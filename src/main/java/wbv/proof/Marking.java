@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param place whether the right place was given, whatever the name
  * @param family whether a mechanism of the right family was named at the right place
  * @param held  probability at which the first name was held; NaN where nothing was named
- * @param correlation of the force that the answer adds with the one that was concealed; NaN where one of them is not known, or it is elsewhere
+ * @param correlation of the force that the answer adds with the one that was concealed; NaN where one of them is not known, or it is
+ *                    elsewhere
  * @param parts of a pair that were found @param spurious names that are not among what was concealed
  */
 record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark mark, boolean place, boolean family, double held,

@@ -150,8 +150,8 @@ final class ProofFigures {
             return;
         }
         line("open laws: called not in the library", open, m -> m.mark() == Mark.RIGHT);
-        line("open laws: called not in the library, held-out χ² of the linear model ≥ 2", where(open, m -> m.answer().heldBefore() >= UNLISTED),
-                m -> m.mark() == Mark.RIGHT);
+        line("open laws: called not in the library, held-out χ² of the linear model ≥ 2",
+                where(open, m -> m.answer().heldBefore() >= UNLISTED), m -> m.mark() == Mark.RIGHT);
         line("open laws: a law was learned", open, m -> Marking.learned(m.answer()));
         line("open laws: right place", open, Marking::place);
         out.append(row("open laws: held-out excess removed, median", MarkdownCells.median(open, m -> 100 * m.removed()) + " %", String.valueOf(open.size())));

@@ -12,8 +12,8 @@ import wbv.rig.platform.Seeds;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
- * sample; laws that are to be learned come after all others, shuffled among themselves, then benches, planar people and levels, and people with a
- * model of their joints last, likewise.
+ * sample; laws that are to be learned come after all others, shuffled among themselves, then benches, planar people and levels, and people
+ * with a model of their joints last, likewise.
  *
  * @param questions numbered from 1
  */
@@ -40,7 +40,9 @@ public record Suite(List<Question> questions) {
     /** One question. */
     public record Question(String id, Group group, ConcealedSpec spec) {
 
-        /** How its answer is marked: {@link Group#LISTED}, {@link Group#OPEN} or {@link Group#NOTHING} where the group asks of all of them. */
+        /**
+         * How its answer is marked: {@link Group#LISTED}, {@link Group#OPEN} or {@link Group#NOTHING} where the group asks of all of them.
+         */
         Group kind() {
             return !group.isMixed() ? group : spec.words().isEmpty() ? Group.NOTHING : spec.isOpen() ? Group.OPEN : Group.LISTED;
         }
@@ -172,7 +174,8 @@ public record Suite(List<Question> questions) {
     }
 
     /**
-     * Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}, {@code rig}, {@code planar}, {@code jointed}, {@code levels}.
+     * Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}, {@code rig}, {@code planar},
+     * {@code jointed}, {@code levels}.
      *
      * @param words one of these or several, with commas between
      */

@@ -138,8 +138,8 @@ public final class Tables {
         StringBuilder out = new StringBuilder();
         for (Group group : Group.values()) {
             if (group.isMixed() && !group(group).isEmpty()) {
-                out.append(head("Every " + group.name().toLowerCase(Locale.ROOT) + " case", "case", "concealed", "answered", "mark", "place", "linear χ²",
-                        "seconds"));
+                out.append(head("Every " + group.name().toLowerCase(Locale.ROOT) + " case", "case", "concealed", "answered", "mark",
+                        "place", "linear χ²", "seconds"));
                 for (Marking m : group(group)) {
                     out.append(row(m.question().id(), concealed(m) + ", " + m.truth().setting(), said(m), m.mark().name().toLowerCase(Locale.ROOT),
                             m.truth().concealed().isEmpty() ? "" : m.place() ? "yes" : "no", number(m.truth().linear()), number(m.answer().seconds())));

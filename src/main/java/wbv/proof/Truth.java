@@ -26,7 +26,12 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         this(concealed, setting, strength, linear, first, seed, List.of(ForceMatch.LOW, ForceMatch.HIGH));
     }
 
-    /** What was concealed. @param linear what the best linear chain leaves of it alone over the noise, mean square; NaN in keys from before this was told @param law of those that are to be learned */
+    /**
+     * What was concealed.
+     *
+     * @param linear what the best linear chain leaves of it alone over the noise, mean square; NaN in keys from before this was told
+     * @param law of those that are to be learned
+     */
     record Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear, List<ComparedTerm> law) {
         Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear) {
             this(mechanism, where, form, parameters, linear, List.of());
@@ -43,8 +48,9 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
                 root.get("linear_chi2").asDouble(),
                 root.get("true_linear_model").get("bodies").get(0).get("name").asText(),
-                root.get("seed").asLong(), root.has("force_band_hz") ? List.of(root.get("force_band_hz").get(0).asDouble(), root.get("force_band_hz").get(1).asDouble())
-                : List.of(ForceMatch.LOW, ForceMatch.HIGH));
+                root.get("seed").asLong(), root.has("force_band_hz")
+                        ? List.of(root.get("force_band_hz").get(0).asDouble(), root.get("force_band_hz").get(1).asDouble())
+                        : List.of(ForceMatch.LOW, ForceMatch.HIGH));
     }
 
     /**
@@ -56,7 +62,10 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         return sameWords(a, b) || atBase(a) && atBase(b);
     }
 
-    /** Whether two places are said to be one: in the same words; in a plane a sensor's channels are one, a joint has no direction, and who wears the sternum is the torso. */
+    /**
+     * Whether two places are said to be one: in the same words; in a plane a sensor's channels are one, a joint has no direction, and who
+     * wears the sternum is the torso.
+     */
     boolean sameWords(String a, String b) {
         return a.equals(b) || setting.equals(PLANAR) && plain(a).equals(plain(b));
     }

@@ -27,8 +27,8 @@ import wbv.recording.format.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 
 /**
- * The process that diagnoses. It is told folders, one a line, in which lie a recording, a model, perhaps other recordings or a simulation of it, and
- * nothing else, and puts
+ * The process that diagnoses. It is told folders, one a line, in which lie a recording, a model, perhaps other recordings or a simulation
+ * of it, and nothing else, and puts
  * {@code answer.json} beside them.
  */
 public final class Worker {

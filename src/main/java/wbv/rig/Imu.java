@@ -16,7 +16,8 @@ import wbv.rig.platform.Seeds;
  * <p>A channel {@code acc} has gravity removed as a sensor with an attitude filter does it: the filter knows how the segment
  * turns but for a constant error, through which g·sin(tilt) leaks. A channel {@code accg} is the specific force in the axes of
  * the sensor, which turn with the segment; a channel {@code mag} is the field of the earth in those axes, a channel
- * {@code force} that of a force plate between seat and sitter, in the axes of the world and on a wire. Every channel has its own noise, every sensor its own tilt and its own losses.
+ * {@code force} that of a force plate between seat and sitter, in the axes of the world and on a wire. Every channel has its own noise,
+ * every sensor its own tilt and its own losses.
  */
 final class Imu {
 

@@ -29,7 +29,8 @@ import wbv.rig.platform.SpecNumbers;
  * @param filter   anti-alias filter of the sensors
  * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
  * @param effects  what is on; of a linear sitter, only what the sensors do
- * @param channels what is recorded, in this order: {@code acc}, {@code accg}, {@code gyr} and {@code mag} of the sitter's places, {@code force} of the seat
+ * @param channels what is recorded, in this order: {@code acc}, {@code accg}, {@code gyr} and {@code mag} of the sitter's places,
+ *                 {@code force} of the seat
  */
 public record RigSpec(Sitter sitter, Program program, long seed, double rate, AntiAlias filter, double noise, Effects effects,
                       List<Channel> channels) {
@@ -90,8 +91,8 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
     /**
      * Reads a spec. Words and what they are when left out: {@code sitter=person} or {@code one-dof} or {@code two-dof};
      * {@code subject=1} to {@code 4}, or {@code random:7}, someone of a population; {@code mass=} (his own) [kg];
-     * {@code posture=normal}, {@code slouched} or {@code erect}; {@code zeta=0.35 f0=5}; {@code cross=0.3,-0.2} (none; {@link Sitter.OneDof});
-     * {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
+     * {@code posture=normal}, {@code slouched} or {@code erect}; {@code zeta=0.35 f0=5}; {@code cross=0.3,-0.2} (none;
+     * {@link Sitter.OneDof}); {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
      * {@code step=1.25@60} (none); {@code excitation=regime:1}, or {@code regime=1} for short ({@code random:z:0.5-12:1}
      * for linear sitters); {@code seconds=120} (or what the
      * segments of the excitation say); {@code seed=1}; {@code rate=60}; {@code filter=boxcar}; {@code noise=1};

@@ -15,7 +15,8 @@ import wbv.recording.AtomicFile;
 /**
  * What is true beside a simulated recording: {@code name.truth.json} holds the experiment, the sitter's parameters at its
  * start and the constant errors of the sensors; {@code name.truth.csv.gz} holds, row by row as the recording, the
- * parameters to the last digit, on an eventful ride what happens, and where asked for the states and what ideal sensors would have given, to seven digits.
+ * parameters to the last digit, on an eventful ride what happens, and where asked for the states and what ideal sensors would have given,
+ * to seven digits.
  */
 final class RigTruth implements Closeable {
 

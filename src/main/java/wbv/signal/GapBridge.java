@@ -9,7 +9,8 @@ import wbv.snapshot.StateWriter;
 /**
  * Bridges short runs of missing samples in a stream by the cubic through the two samples on either side, so that a lost packet
  * does not cost a whole segment of a spectrum. Where a second sample on a side is missing too, the polynomial through those that
- * are there takes its place. Longer runs stay missing, or get a straight line where a picture is all that is wanted. The stream comes out {@link #delay()} samples late.
+ * are there takes its place. Longer runs stay missing, or get a straight line where a picture is all that is wanted. The stream comes out
+ * {@link #delay()} samples late.
  */
 public final class GapBridge implements Serializable, Snapshot {
 

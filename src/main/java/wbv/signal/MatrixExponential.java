@@ -10,7 +10,13 @@ public final class MatrixExponential {
 
     private MatrixExponential() { }
 
-    /** The exponential of a matrix. @param a square. Not modified. @return a new matrix @throws IllegalArgumentException if it is not finite */
+    /**
+     * The exponential of a matrix.
+     *
+     * @param a square. Not modified.
+     * @return a new matrix
+     * @throws IllegalArgumentException if it is not finite
+     */
     public static DMatrixRMaj of(DMatrixRMaj a) {
         int halvings = 0;
         double norm = CommonOps_DDRM.elementMaxAbs(a) * a.numRows;

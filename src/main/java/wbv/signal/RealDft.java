@@ -179,7 +179,10 @@ public final class RealDft {
         }
     }
 
-    /** So many sums of four values each, turned by multiples of an angle, of which c and s are cosine and sine; likewise of two, three and five. */
+    /**
+     * So many sums of four values each, turned by multiples of an angle, of which c and s are cosine and sine; likewise of two, three and
+     * five.
+     */
     private static void four(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
         double c2 = c * c - s * s;
         double s2 = 2 * c * s;

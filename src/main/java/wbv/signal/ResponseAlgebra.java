@@ -112,7 +112,10 @@ final class ResponseAlgebra {
         }
     }
 
-    /** Hv: the composite matrix of the inputs and one output; [-H | 1] is the conjugate of its last eigenvector. Thesis: Eq. 2-19, 2-20, 2-21, 2-22, 2-23. */
+    /**
+     * Hv: the composite matrix of the inputs and one output; [-H | 1] is the conjugate of its last eigenvector. Thesis: Eq. 2-19, 2-20,
+     * 2-21, 2-22, 2-23.
+     */
     private void totalLeastSquares(int o, int k) {
         int y = inputs + o;
         for (int i = 0; i <= inputs; i++) {

@@ -29,7 +29,11 @@ public final class SpectralMatrix {
         this(segmentation, detrend, channels, 1);
     }
 
-    /** Averages of no segment yet. @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing */
+    /**
+     * Averages of no segment yet.
+     *
+     * @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing
+     */
     public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels, double memory) {
         if (channels < 1) {
             throw new IllegalArgumentException("a spectral matrix needs at least 1 channel: " + channels);

@@ -10,9 +10,9 @@ import org.apache.commons.math3.distribution.TDistribution;
  *
  * <p>Only edges tell a lag: in steady vibration the head is ahead of the seat by one lag and behind it by another alike. An edge is a
  * {@link Surge} of the seat beyond what a jolt has and beyond six standard deviations of what surges usually, of which the median
- * tells; what that is takes eight seconds to learn. The jerks of seat and head from {@value #BEFORE} s before to {@value #AFTER} s after are correlated at all lags up to a
- * quarter of a second, every jolt over its own strength, so that each counts alike. The lag is where the sum of these is greatest, by
- * a parabola through the three samples about.
+ * tells; what that is takes eight seconds to learn. The jerks of seat and head from {@value #BEFORE} s before to {@value #AFTER} s after
+ * are correlated at all lags up to a quarter of a second, every jolt over its own strength, so that each counts alike. The lag is where the
+ * sum of these is greatest, by a parabola through the three samples about.
  *
  * <p>The deviation is that of a root of a sum of estimating equations, one a jolt (the sandwich of P. J. Huber, Proc. 5th Berkeley
  * Symp. 1 (1967) 221-233): what the jolts' slopes at the lag scatter, over the curvature. It is widened so that ±2 of it hold the

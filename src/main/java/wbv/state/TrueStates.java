@@ -33,7 +33,12 @@ public record TrueStates(List<Activity> activities, List<MotionState> states, do
     /**
      * From what the rig said row by row.
      *
-     * No array is modified. @param episode 0 idle, 1 riding, 2 rocking @param jolt whether above 0 one acts @param seatJerk [m/s³]. Not copied. @param headJerk
+     * No array is modified.
+     *
+     * @param episode 0 idle, 1 riding, 2 rocking
+     * @param jolt whether above 0 one acts
+     * @param seatJerk [m/s³]. Not copied.
+     * @param headJerk
      */
     public static TrueStates of(double[] episode, double[] jolt, double[] seatJerk, double[] headJerk, Thresholds thresholds) {
         List<Activity> activities = new ArrayList<>();

@@ -8,8 +8,8 @@ enum Lost {
     /** A missing value, which the learners of wbv take for what it is. */
     MISSING,
     /**
-     * Its instance is left out, and t jumps. Regressors of MOA are safe then: a missing class ends FIMTDD with a NullPointerException, and a
-     * missing value makes every weight of a Perceptron NaN.
+     * Its instance is left out, and t jumps. Regressors of MOA are safe then: a missing class ends FIMTDD with a NullPointerException, and
+     * a missing value makes every weight of a Perceptron NaN.
      */
     SKIPPED;
 

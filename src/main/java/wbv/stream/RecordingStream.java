@@ -27,8 +27,8 @@ import wbv.recording.format.RecordingFile;
 import wbv.recording.inspect.Inspection;
 
 /**
- * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values, or left out. Standard input and pipes are
- * streamed as they come, once, without an end if they have none.
+ * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values, or left out. Standard input and pipes
+ * are streamed as they come, once, without an end if they have none.
  */
 public class RecordingStream extends AbstractOptionHandler implements InstanceStream {
 

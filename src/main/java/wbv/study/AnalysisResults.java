@@ -72,10 +72,10 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
      * @param minutes_to_action_value_by_dose likewise
      * @param lower_bound    whether the sampling rate hides what true values have above {@code band_to_hz}
      */
-    public record ExposureFacts(String place, Map<String, Double> a_w_m_s2, Map<String, Double> vdv_m_s175, double seconds, String worst_axis,
-                                double minutes_a_day, boolean assumed, double a8_m_s2, String verdict, double minutes_to_action_value,
-                                double minutes_to_action_value_by_dose,
-                                boolean lower_bound, double band_from_hz, double band_to_hz) { }
+    public record ExposureFacts(String place, Map<String, Double> a_w_m_s2, Map<String, Double> vdv_m_s175, double seconds,
+            String worst_axis, double minutes_a_day, boolean assumed, double a8_m_s2, String verdict, double minutes_to_action_value,
+            double minutes_to_action_value_by_dose,
+            boolean lower_bound, double band_from_hz, double band_to_hz) {}
 
     /**
      * Motion states as the shipped model tells them.

@@ -78,7 +78,8 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
 
     /**
      * @param formula of the force that pulls the ends of the link together [N]
-     * @param corrects mechanisms in the link whose form it corrects; none where it is all that is missing @param rivals other laws that were fitted, likeliest first
+     * @param corrects mechanisms in the link whose form it corrects; none where it is all that is missing
+     * @param rivals other laws that were fitted, likeliest first
      */
     record Law(String where, String formula, List<String> corrects, List<Rival> rivals) { }
 

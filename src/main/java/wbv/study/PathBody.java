@@ -25,7 +25,12 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
         }
     }
 
-    /** What a fit says. @param motions those that {@link EquivalentBody#others} counts @param rate of the recording [Hz], which bounds what can be believed */
+    /**
+     * What a fit says.
+     *
+     * @param motions those that {@link EquivalentBody#others} counts
+     * @param rate of the recording [Hz], which bounds what can be believed
+     */
     public static PathBody of(Channel output, EquivalentBody body, List<Channel> motions, double rate) {
         return new PathBody(output, body.others().stream().map(motions::get).toList(), Optional.of(body), doubt(body, rate));
     }

@@ -14,8 +14,8 @@ final class ResponseFile {
 
     private static final String HEADER =
             "output,input,unit,frequency_Hz,h1,h1_low,h1_high,phase_deg,phase_margin_deg,h2,h2_phase_deg,"
-            + "hv,hv_phase_deg,multiple_coherence,partial_coherence,ordinary_coherence,usable,unusable_because,other_cause,input_density,output_density,model,"
-            + "model_phase_deg";
+            + "hv,hv_phase_deg,multiple_coherence,partial_coherence,ordinary_coherence,usable,unusable_because,other_cause,"
+            + "input_density,output_density,model,model_phase_deg";
 
     private ResponseFile() { }
 

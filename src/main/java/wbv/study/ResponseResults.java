@@ -44,7 +44,12 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
                                 Optional<MisfitFacts> misfit, Optional<DrivingPointFacts> driving_point,
                                 Optional<PeopleFacts> people) { }
 
-    /** A motion that is no input and may move the output. @param partial_coherence median over the frequencies where it is named @param frequencies how many */
+    /**
+     * A motion that is no input and may move the output.
+     *
+     * @param partial_coherence median over the frequencies where it is named
+     * @param frequencies how many
+     */
     public record OtherCauseFacts(String channel, double partial_coherence, int frequencies) {
         static OtherCauseFacts of(OtherAxes.Named named) {
             return new OtherCauseFacts(named.channel().toString(), named.partial(), named.bins());
@@ -65,10 +70,19 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      */
     public record PeakFacts(double frequency_hz, double modulus, double margin, boolean at_end) { }
 
-    /** How a model differs from H1. @param relative rms of model less H1 over that of H1 @param inside_band share of usable frequencies inside the band */
+    /**
+     * How a model differs from H1.
+     *
+     * @param relative rms of model less H1 over that of H1
+     * @param inside_band share of usable frequencies inside the band
+     */
     public record MisfitFacts(double relative, double inside_band) { }
 
-    /** A force over an acceleration at one place. @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised */
+    /**
+     * A force over an acceleration at one place.
+     *
+     * @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised
+     */
     public record DrivingPointFacts(OptionalDouble sitting_mass_kg, double plate_kg, double[] normalised,
                                     double[] impedance_ns_per_m, double[] absorbed_power_w_per_hz, double absorbed_power_w) { }
 

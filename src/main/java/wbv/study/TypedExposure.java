@@ -24,8 +24,8 @@ public record TypedExposure(DailyExposure day) {
     public record Spell(Map<SeatAxis, Double> levels, double hours) { }
 
     /** The same for machines. @param points by the HSE's count @param minutesToAction a day of this mix of spells; NaN if never */
-    public record Results(List<SpellResults> spells, Map<String, Double> a8ByAxis, String worstAxis, double a8, double points, String verdict,
-                          double minutesToAction, double minutesToLimit, double estimatedDose) { }
+    public record Results(List<SpellResults> spells, Map<String, Double> a8ByAxis, String worstAxis, double a8, double points,
+            String verdict, double minutesToAction, double minutesToLimit, double estimatedDose) {}
 
     /** One spell for machines. @param levels a_w [m/s²] by axis @param points by axis, which add up over the spells */
     public record SpellResults(double minutes, Map<String, Double> levels, Map<String, Double> a8, Map<String, Double> points,
@@ -75,10 +75,12 @@ public record TypedExposure(DailyExposure day) {
     public String summary() {
         StringBuilder text = new StringBuilder();
         for (DailyTask task : day.tasks()) {
-            text.append(String.format(Locale.ROOT, "%s: %s a day; alone it reaches the action value after %s, the limit value after %s%n", task.name(),
-                    duration(task.minutes()), duration(task.minutesUntilA8(Directive.ACTION)), duration(task.minutesUntilA8(Directive.LIMIT))));
-            task.levels().forEach((axis, level) -> text.append(String.format(Locale.ROOT, "  %s %s  a_w %.3f m/s², k a_w %.3f, A(8) %.3f, %.0f points%n",
-                    axis.letter(), axis.weighting().symbol(), level.rms(), task.factored(axis), task.a8(axis), Directive.points(task.a8(axis)))));
+            text.append(String.format(Locale.ROOT, "%s: %s a day; alone it reaches the action value after %s, the limit value after %s%n",
+                    task.name(), duration(task.minutes()), duration(task.minutesUntilA8(Directive.ACTION)),
+                    duration(task.minutesUntilA8(Directive.LIMIT))));
+            task.levels().forEach((axis, level) -> text.append(
+                    String.format(Locale.ROOT, "  %s %s  a_w %.3f m/s², k a_w %.3f, A(8) %.3f, %.0f points%n", axis.letter(),
+                            axis.weighting().symbol(), level.rms(), task.factored(axis), task.a8(axis), Directive.points(task.a8(axis)))));
         }
         String absent = Arrays.stream(SeatAxis.values()).filter(axis -> day.tasks().stream().anyMatch(task -> !task.levels().containsKey(axis)))
                 .map(axis -> String.valueOf(axis.letter())).collect(Collectors.joining(" and "));

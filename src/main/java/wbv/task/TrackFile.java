@@ -25,7 +25,8 @@ import wbv.recording.TableText;
 /**
  * Writes tracks, one line for each sample: natural frequency, damping ratio and prediction to a hundredth of their standard
  * deviation's leading decimal, the deviations themselves to three digits, for what is below says nothing; or exactly, for one who
- * computes on. The test that rang stands by its place in {@link wbv.filter.drift.ChangeTest}, 0 if none did. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
+ * computes on. The test that rang stands by its place in {@link wbv.filter.drift.ChangeTest}, 0 if none did. Names that end in .gz are
+ * compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 

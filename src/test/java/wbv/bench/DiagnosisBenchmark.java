@@ -22,8 +22,8 @@ import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 
 /**
- * A whole diagnosis of a recording, whole bank, all cores: of nothing missing, of one mechanism of each kind, and of a law that has to be learned. A pair or a
- * refusal is any folder that {@code wbv prove} made: {@code -p folder=/path/cases/017}.
+ * A whole diagnosis of a recording, whole bank, all cores: of nothing missing, of one mechanism of each kind, and of a law that has to be
+ * learned. A pair or a refusal is any folder that {@code wbv prove} made: {@code -p folder=/path/cases/017}.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)

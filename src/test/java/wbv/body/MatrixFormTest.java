@@ -61,7 +61,8 @@ class MatrixFormTest {
     void joinsWhatItsEntriesJoin() {
         Model net = ModelFile.parse("""
                 {"name": "net", "subject": "rig", "axis": "z", "base": {"name": "table", "sensors": ["table.acc.z"]},
-                 "matrices": {"coordinates": ["a", "b"], "M": [[2, 0], [0, 3]], "C": [[5, -2], [-2, 2]], "K": [[900, -400], [-400, 700]], "R": [[1], [1]],
+                 "matrices": {"coordinates": ["a", "b"], "M": [[2, 0], [0, 3]], "C": [[5, -2], [-2, 2]],
+                  "K": [[900, -400], [-400, 700]], "R": [[1], [1]],
                   "sensors": [{"sensor": "b.acc.z", "reads": [0, 1]}, {"sensor": "strain.pos.z", "reads": [-1, 1]}]}}
                 """, "net.json");
         assertEquals("[a-b 400.0 2.0, table-a 500.0 3.0, table-b 300.0 0.0]", net.links().stream()
@@ -98,9 +99,14 @@ class MatrixFormTest {
 
     private static String matrices(RealMatrix m, RealMatrix c, RealMatrix k, RealMatrix r, RealMatrix reads) {
         String[] sensors = {"trunk.acc.z", "trunk.gyr.y", "head.acc.z", "sternum.acc.x"};
-        return "{\"name\": \"of matrices\", \"subject\": \"rig\", \"axis\": \"z\", \"base\": {\"name\": \"floor\", \"sensors\": [\"floor.acc.z\", \"floor.acc.x\", \"floor.gyr.y\"]}, "
-                + "\"matrices\": {\"coordinates\": [\"a\", \"b\", \"c\", \"d\", \"e\", \"f\"], \"M\": " + text(m) + ", \"C\": " + text(c) + ", \"K\": " + text(k) + ", \"R\": " + text(r)
-                + ", \"sensors\": " + IntStream.range(0, 4).mapToObj(i -> "{\"sensor\": \"" + sensors[i] + "\", \"reads\": " + Arrays.toString(reads.getRow(i)) + "}").toList() + "}}";
+        return "{\"name\": \"of matrices\", \"subject\": \"rig\", \"axis\": \"z\", \"base\": {\"name\": \"floor\", \"sensors\": "
+                + "[\"floor.acc.z\", \"floor.acc.x\", \"floor.gyr.y\"]}, \"matrices\": {\"coordinates\": [\"a\", \"b\", \"c\", \"d\", "
+                + "\"e\", \"f\"], \"M\": " + text(m) + ", \"C\": " + text(c)
+                + ", \"K\": " + text(k) + ", \"R\": " + text(r)
+                + ", \"sensors\": "
+                + IntStream.range(0, 4)
+                        .mapToObj(i -> "{\"sensor\": \"" + sensors[i] + "\", \"reads\": " + Arrays.toString(reads.getRow(i)) + "}").toList()
+                + "}}";
     }
 
     private static String text(RealMatrix matrix) {

@@ -77,8 +77,8 @@ class AnalyzeReportTest {
     /** The tile's numbers are those that 'wbv exposure' has. */
     @Test
     void exposureIsThatOfTheCommandForIt() throws IOException {
-        SeatMeasurement measured = SeatMeter.measure(new RecordingFile(RIDE), new SeatMeter.Setup(Optional.empty(), Optional.empty(), false),
-                share -> { });
+        SeatMeasurement measured = SeatMeter.measure(new RecordingFile(RIDE),
+                new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), share -> {});
         JsonNode exposure = new ObjectMapper().readTree(folder.resolve("ride/results.json").toFile()).get("exposure");
         for (SeatAxis axis : SeatAxis.values()) {
             String letter = String.valueOf(axis.letter());

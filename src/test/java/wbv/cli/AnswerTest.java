@@ -57,9 +57,10 @@ class AnswerTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"simulate --models", "export wei-griffin-1998-1dof --to modelica --out FOLDER/a.mo", "convert " + LINEAR + " --out FOLDER/a.csv",
-        "simulate sitter=one-dof seconds=5 --out FOLDER/b.csv", "map src/test/resources/map/phyphox.csv --out FOLDER/map.json", "map " + LINEAR,
-        "fleet " + LINEAR + " --seats 2 --out FOLDER/fleet", "exposure --magnitude z=0.7 --hours 4"})
+    @ValueSource(strings = {"simulate --models", "export wei-griffin-1998-1dof --to modelica --out FOLDER/a.mo",
+        "convert " + LINEAR + " --out FOLDER/a.csv",
+        "simulate sitter=one-dof seconds=5 --out FOLDER/b.csv", "map src/test/resources/map/phyphox.csv --out FOLDER/map.json",
+        "map " + LINEAR, "fleet " + LINEAR + " --seats 2 --out FOLDER/fleet", "exposure --magnitude z=0.7 --hours 4"})
     void jsonIsAllThatIsPrinted(String command) throws IOException {
         Run run = Run.of((command + " --json").replace("FOLDER", folder.toString()).split(" "));
         assertEquals(0, run.code(), run.err());

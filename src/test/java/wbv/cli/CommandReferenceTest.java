@@ -30,7 +30,8 @@ class CommandReferenceTest {
     private static final String TOP = """
             # Commands
 
-            What `--help` prints, command by command. On Windows type `wbv` for `./wbv`. Exit codes: 0 done, 1 the data or the model is at fault,
+            What `--help` prints, command by command. On Windows type `wbv` for `./wbv`. Exit codes: 0 done, 1 the data or the model \
+            is at fault,
             2 wrong usage, 3 wbv is at fault.
 
             """;

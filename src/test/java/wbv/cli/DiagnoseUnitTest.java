@@ -47,7 +47,8 @@ class DiagnoseUnitTest {
     }
 
     /** What sensors record of a unit that is shaken at random from 0.5 to 15 Hz. @param levels root mean square of each input */
-    private Path recorded(BuiltUnit.Plan plan, Map<Channel, Double> levels, int seconds, long seed, String... concealed) throws IOException {
+    private Path recorded(BuiltUnit.Plan plan, Map<Channel, Double> levels, int seconds, long seed, String... concealed)
+            throws IOException {
         int samples = (int) (seconds * RATE);
         Random random = new Random(seed);
         Map<Channel, double[]> inputs = new LinkedHashMap<>();
@@ -115,7 +116,8 @@ class DiagnoseUnitTest {
         assertTrue(values.get("suspension.k").get("std").asDouble() < 0.01 * 22000);
         assertEquals(1.12 * 22000, values.get("suspension.k").get("given").asDouble(), 1e-6);
         String sentence = found.get("sentence").asText();
-        assertTrue(sentence.contains("car.fmu were wrong: ") && sentence.contains("suspension.k ") && sentence.contains("seat.c "), sentence);
+        assertTrue(sentence.contains("car.fmu were wrong: ") && sentence.contains("suspension.k ") && sentence.contains("seat.c "),
+                sentence);
     }
 
     /** A stop of rubber in the suspension, of which the unit knows nothing. */
@@ -151,7 +153,8 @@ class DiagnoseUnitTest {
         assertEquals("platform-sternum", named.get("where").asText());
         assertEquals(0.6e-3, named.get("parameters").get("gap_m").asDouble(), 0.06e-3);
         for (String channel : new String[] {"sternum.acc.z", "head.acc.z"}) {
-            assertTrue(found.get("fit").get("heldout_nrmse_after").get(channel).asDouble() < found.get("fit").get("heldout_nrmse_before").get(channel).asDouble() / 2, channel);
+            assertTrue(found.get("fit").get("heldout_nrmse_after").get(channel).asDouble()
+                    < found.get("fit").get("heldout_nrmse_before").get(channel).asDouble() / 2, channel);
         }
     }
 
@@ -161,9 +164,11 @@ class DiagnoseUnitTest {
         BuiltUnit.Plan named = BuiltUnit.QUARTER_CAR.inputs(BuiltUnit.ordered("road", "m/s2", "f1", "N", "f2", "N"));
         Path unit = BuiltUnit.build(folder, "car.fmu", named, 2, BuiltUnit.STEPS);
         Path out = folder.resolve("simulated.csv");
-        Run run = Run.of("simulate", "--fmu", unit.toString(), "--input", recording.toString(), "--map-input", "road=platform.acc.z", "--out", out.toString());
+        Run run = Run.of("simulate", "--fmu", unit.toString(), "--input", recording.toString(), "--map-input", "road=platform.acc.z",
+                "--out", out.toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().contains("road = platform.acc.z") && run.out().contains("no channel for the input f1, held at 0.0 N"), run.out());
+        assertTrue(run.out().contains("road = platform.acc.z") && run.out().contains("no channel for the input f1, held at 0.0 N"),
+                run.out());
         Recording simulated = new RecordingFile(out).load();
         Recording truth = new RecordingFile(recording).load();
         Channel seat = Channel.parse("seat.acc.z");
@@ -178,19 +183,23 @@ class DiagnoseUnitTest {
     void whatCannotWorkGetsOneLine() throws IOException {
         Path recording = recorded(BuiltUnit.QUARTER_CAR, 1, 10, 5);
         Path text = Files.writeString(folder.resolve("text.fmu"), "t,seat.acc.z\n0,1\n");
-        refused(1, text + ": is no functional mock-up unit: not a whole zip archive", "diagnose", recording.toString(), "--simulation", text.toString());
+        refused(1, text + ": is no functional mock-up unit: not a whole zip archive", "diagnose", recording.toString(), "--simulation",
+                text.toString());
         refused(1, "there is no such file", "diagnose", recording.toString(), "--simulation", folder.resolve("none.fmu").toString());
-        refused(2, "--map-input and --map-output are about", "diagnose", recording.toString(), "--simulation", "simulation.csv", "--map-input", "a=platform.acc.z");
-        refused(2, "--input goes with one of --model and --fmu", "simulate", "--fmu", text.toString(), "--out", folder.resolve("x.csv").toString());
-        refused(2, "a channel is named location.quantity.axis", "simulate", "--fmu", text.toString(), "--input", recording.toString(), "--map-input", "a=b", "--out",
+        refused(2, "--map-input and --map-output are about", "diagnose", recording.toString(), "--simulation", "simulation.csv",
+                "--map-input", "a=platform.acc.z");
+        refused(2, "--input goes with one of --model and --fmu", "simulate", "--fmu", text.toString(), "--out",
                 folder.resolve("x.csv").toString());
+        refused(2, "a channel is named location.quantity.axis", "simulate", "--fmu", text.toString(), "--input", recording.toString(),
+                "--map-input", "a=b", "--out", folder.resolve("x.csv").toString());
     }
 
     private void refused(int code, String said, String... words) {
         Run run = Run.of(words);
         assertEquals(code, run.code(), run.err());
         assertTrue(run.err().contains(said), run.err());
-        assertEquals(code, run.err().strip().lines().count(), "a line, and where the usage is wrong one that says what helps: " + run.err());
+        assertEquals(code, run.err().strip().lines().count(),
+                "a line, and where the usage is wrong one that says what helps: " + run.err());
         assertFalse(Files.exists(folder.resolve("x.csv")));
     }
 }

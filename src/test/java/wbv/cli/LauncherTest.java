@@ -22,7 +22,10 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The launcher's archive of classes, with a Java that only notes what it was asked: made once for a jar, and missing in silence where it cannot be made. */
+/**
+ * The launcher's archive of classes, with a Java that only notes what it was asked: made once for a jar, and missing in silence where it
+ * cannot be made.
+ */
 @EnabledOnOs(OS.LINUX)
 class LauncherTest {
 
@@ -218,8 +221,8 @@ class LauncherTest {
     }
 
     /**
-     * The launcher for Windows, which no test here can run: what it says, builds, starts and asks of its surroundings is what the shell's does, and
-     * what cmd would trip over is not in it.
+     * The launcher for Windows, which no test here can run: what it says, builds, starts and asks of its surroundings is what the shell's
+     * does, and what cmd would trip over is not in it.
      */
     @Test
     void windowsLauncherSaysAndStartsTheSame() throws IOException {
@@ -228,8 +231,8 @@ class LauncherTest {
         assertTrue(whole.chars().allMatch(c -> c < 128), "cmd reads it in the console's code page");
         String windows = whole.replace("\r\n", "\n").replace('\\', '/');
         String shell = Files.readString(Path.of("wbv"));
-        for (String said : List.of("wbv: building (the first time also downloads its libraries) ...", "wbv: the build failed; the lines above say why",
-                "wbv: mvn is not on the PATH; wbv needs a JDK 17 and Maven 3.8 or newer",
+        for (String said : List.of("wbv: building (the first time also downloads its libraries) ...",
+                "wbv: the build failed; the lines above say why", "wbv: mvn is not on the PATH; wbv needs a JDK 17 and Maven 3.8 or newer",
                 "wbv: java is not on the PATH and JAVA_HOME names none; wbv needs a JDK 17 and Maven 3.8 or newer")) {
             assertTrue(windows.contains("echo " + said + ">&2\n"), said);
             assertTrue(shell.contains(said), said);

@@ -61,8 +61,8 @@ class LiveTest {
             rows.append(i / 60.0).append(',').append(Math.sin(i)).append(',').append(Math.cos(1.1 * i)).append(i == 100 ? "\noops\n" : "\n");
         }
         Path aside = folder.resolve("aside.txt");
-        Run run = Run.with(new ByteArrayInputStream(rows.toString().getBytes(StandardCharsets.UTF_8)), "live", "-", "--aside", aside.toString(), "--state",
-                folder.resolve("state").toString());
+        Run run = Run.with(new ByteArrayInputStream(rows.toString().getBytes(StandardCharsets.UTF_8)), "live", "-", "--aside",
+                aside.toString(), "--state", folder.resolve("state").toString());
         assertEquals(0, run.code(), run.err());
         assertEquals("oops\n", Files.readString(aside));
         assertTrue(run.out().contains("standard input:103: ") && run.out().contains("\"unreadable\":1"), run.out());

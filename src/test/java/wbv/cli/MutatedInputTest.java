@@ -96,7 +96,8 @@ class MutatedInputTest {
         assertEquals(0, Run.of("convert", shared.resolve("short.csv").toString(), "--out", arff.toString()).code());
         Random noise = new Random(1);
         StringBuilder mvnx = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mvnx version=\"4\">\n<subject label=\"S\" "
-                + "frameRate=\"60\"><segments><segment label=\"Platform\" id=\"1\"/><segment label=\"Head\" id=\"2\"/></segments><frames>\n");
+                + "frameRate=\"60\"><segments><segment label=\"Platform\" id=\"1\"/><segment label=\"Head\" "
+                + "id=\"2\"/></segments><frames>\n");
         StringBuilder sensor = new StringBuilder("// Update Rate: 60.0Hz\nPacketCounter,Acc_X,Acc_Y,Acc_Z,Gyr_X,Gyr_Y,Gyr_Z\n");
         StringBuilder foreign = new StringBuilder("t_ms,Az,head_az\n");
         for (int i = 0; i < 300; i++) {

@@ -50,8 +50,8 @@ class NetLabelsTest {
         for (int i = 0; i < 4; i++) {
             double frequency = 2.7 + 1.6 * i;
             Path out = folder.resolve("read" + i);
-            Run read = Run.of("net", "predict", ride(100 + i, frequency, 0.3).toString(), "--model", model.toString(), "--input", "platform.acc.z",
-                    "--out", out.toString());
+            Run read = Run.of("net", "predict", ride(100 + i, frequency, 0.3).toString(), "--model", model.toString(), "--input",
+                    "platform.acc.z", "--out", out.toString());
             assertEquals(0, read.code(), read.err());
             double said = Files.readAllLines(out.resolve("readings.csv")).stream().skip(1)
                     .mapToDouble(line -> Double.parseDouble(line.split(",")[7])).average().orElseThrow();
@@ -79,8 +79,8 @@ class NetLabelsTest {
                 "--hop", "0.5", "--epochs", "2", "--out", folder.resolve("model").toString()));
         Run run = Run.of(words.toArray(String[]::new));
         assertEquals(0, run.code(), run.err());
-        Run read = Run.of("net", "predict", folder.resolve("person0.csv").toString(), "--model", folder.resolve("model/model.safetensors").toString(),
-                "--out", folder.resolve("out").toString());
+        Run read = Run.of("net", "predict", folder.resolve("person0.csv").toString(), "--model",
+                folder.resolve("model/model.safetensors").toString(), "--out", folder.resolve("out").toString());
         assertEquals(0, read.code(), read.err());
         assertTrue(Files.readString(folder.resolve("out/readings.csv")).startsWith("t,damping1,"));
     }

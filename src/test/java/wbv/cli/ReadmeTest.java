@@ -82,7 +82,11 @@ class ReadmeTest {
         return tests(true);
     }
 
-    /** Whether a block searches for physics, or takes the model that such a search has written. @param searched names of folders that searches write to */
+    /**
+     * Whether a block searches for physics, or takes the model that such a search has written.
+     *
+     * @param searched names of folders that searches write to
+     */
     private static boolean diagnoses(Block block, TreeSet<String> searched) {
         return block.commands().stream().anyMatch(command -> command.startsWith(DIAGNOSE)
                 || searched.stream().anyMatch(out -> command.contains(" " + out + "/model.json")));
@@ -121,7 +125,12 @@ class ReadmeTest {
         }
     }
 
-    /** Runs a command with its results elsewhere. @param results names of folders that commands write to @param room what is to hold them */
+    /**
+     * Runs a command with its results elsewhere.
+     *
+     * @param results names of folders that commands write to
+     * @param room what is to hold them
+     */
     private static String run(String command, TreeSet<String> results, Path room) {
         if (command.startsWith(WBV)) {
             if (command.startsWith(WBV + "net ")) {

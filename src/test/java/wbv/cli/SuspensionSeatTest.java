@@ -20,8 +20,8 @@ class SuspensionSeatTest {
     @Test
     void comparesAndReports() throws IOException {
         Path out = room.resolve("out");
-        Run run = Run.of("seat", "--floor", "em4,road:B:40", "--mass", "70", "--controller", "passive", "--seconds", "5", "--jolt", "4", "--out",
-                out.toString());
+        Run run = Run.of("seat", "--floor", "em4,road:B:40", "--mass", "70", "--controller", "passive", "--seconds", "5", "--jolt", "4",
+                "--out", out.toString());
         assertEquals(0, run.code(), run.err());
         assertTrue(run.out().contains("EM4, graders") && run.out().contains("road of class B") && run.out().contains("skyhook"), run.out());
         String page = Files.readString(out.resolve("report.html"));

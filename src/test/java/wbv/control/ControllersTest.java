@@ -27,8 +27,8 @@ class ControllersTest {
         for (int i = 0; i < samples; i++) {
             double t = i / SeatController.RATE;
             double swing = Math.sin(2 * Math.PI * 2.2 * t);
-            readings.set(lost(3 * swing, random, silent), lost(-2 * swing + random.nextGaussian(), random, silent), lost(0.02 * swing, random, silent),
-                    lost(780 - 120 * swing, random, silent), lost(-2.2 * swing, random, silent));
+            readings.set(lost(3 * swing, random, silent), lost(-2 * swing + random.nextGaussian(), random, silent),
+                    lost(0.02 * swing, random, silent), lost(780 - 120 * swing, random, silent), lost(-2.2 * swing, random, silent));
             controller.step(readings, command);
             assertTrue(command.damping() >= SEAT.leastDamping() && command.damping() <= SEAT.mostDamping(), () -> "damping " + command.damping());
             assertTrue(Math.abs(command.force()) <= SEAT.mostForce(), () -> "force " + command.force());

@@ -14,8 +14,9 @@ import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
 /**
- * Benches for tests, stepped in time by code that shares nothing with the models that are judged by them: masses in a row under forces, half a step of
- * drift, a kick at its middle and half a step of drift. Dry friction takes from each kick what it can, and holds a mass that it can stop.
+ * Benches for tests, stepped in time by code that shares nothing with the models that are judged by them: masses in a row under forces,
+ * half a step of drift, a kick at its middle and half a step of drift. Dry friction takes from each kick what it can, and holds a mass that
+ * it can stop.
  */
 public final class Bench {
 
@@ -49,7 +50,11 @@ public final class Bench {
         return run(forces, new double[mass.length], new double[mass.length], (t, x, v, out) -> { });
     }
 
-    /** @param at positions at the start [m] @param going velocities [m/s] @param friction least force that moves each mass over the ground [N] */
+    /**
+     * @param at positions at the start [m]
+     * @param going velocities [m/s]
+     * @param friction least force that moves each mass over the ground [N]
+     */
     public Bench run(Forces forces, double[] at, double[] going, Forces friction) {
         double h = 1 / rate / fine;
         double[] x = at.clone();
@@ -180,7 +185,11 @@ public final class Bench {
         return out;
     }
 
-    /** A mass on a spring and a damper over the ground, pushed by {@code mass.force.z}. @param sensor on the mass, or a force's, in the link below it */
+    /**
+     * A mass on a spring and a damper over the ground, pushed by {@code mass.force.z}.
+     *
+     * @param sensor on the mass, or a force's, in the link below it
+     */
     public static Model oscillator(double mass, double stiffness, double damping, Channel sensor) {
         boolean below = sensor.quantity() == wbv.recording.Quantity.FORCE;
         return new Model("bench", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),

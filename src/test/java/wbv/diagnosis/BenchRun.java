@@ -8,7 +8,10 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 
-/** Writes the bench that ships, {@code data/arff/bench}: a mass on a beam, under which a roller goes to and fro, pushed by a measured force; simulated. */
+/**
+ * Writes the bench that ships, {@code data/arff/bench}: a mass on a beam, under which a roller goes to and fro, pushed by a measured force;
+ * simulated.
+ */
 final class BenchRun {
 
     private BenchRun() { }

@@ -29,8 +29,8 @@ class ConcealedTest {
         JsonNode concealed = new ObjectMapper().readTree(SealedCase.open(folder)).get("mechanisms").get(0);
         String mechanism = concealed.get("mechanism").asText();
         if (mechanism.equals("none") || mechanism.equals("parameters")) {
-            assertEquals(mechanism.equals("none") ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(),
-                    diagnosis.sentence());
+            assertEquals(mechanism.equals("none") ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY,
+                    diagnosis.verdict(), diagnosis.sentence());
             assertTrue(diagnosis.missing().isEmpty(), diagnosis.sentence());
         } else {
             assertEquals(1, diagnosis.missing().size(), diagnosis.sentence());

@@ -28,8 +28,8 @@ class ForceSignTest {
 
     /** What pushes, or what measures the spring below; with a spring that stiffens or without. */
     @ParameterizedTest
-    @CsvSource({"mass.pos.z, mass.force.z, 0, 1", "mass.pos.z, mass.force.z, 3e8, 2", "mass.vel.z, mass.force.z, 0, 3", "mass.acc.z, mass.force.z, 0, 4",
-        "foot.force.z, foot.force.z, 0, 5", "foot.force.z, foot.force.z, 3e8, 6"})
+    @CsvSource({"mass.pos.z, mass.force.z, 0, 1", "mass.pos.z, mass.force.z, 3e8, 2", "mass.vel.z, mass.force.z, 0, 3",
+        "mass.acc.z, mass.force.z, 0, 4", "foot.force.z, foot.force.z, 0, 5", "foot.force.z, foot.force.z, 3e8, 6"})
     @Tag("slow")
     void aForceOfTheOtherSignIsTurnedAndTheDiagnosisGoesOn(String sensor, String wrong, double cubic, long seed) {
         Recording bench = bench(Channel.parse(sensor), cubic, seed);

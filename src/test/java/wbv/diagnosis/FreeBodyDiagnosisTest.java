@@ -56,7 +56,9 @@ class FreeBodyDiagnosisTest {
         assertTrue(d.missing().isEmpty(), d.sentence());
     }
 
-    /** With the numbers as they are the free run differs from the bench by less than an encoder's noise, however often friction turns round. */
+    /**
+     * With the numbers as they are the free run differs from the bench by less than an encoder's noise, however often friction turns round.
+     */
     @ParameterizedTest
     @CsvSource({"100, 11", "100, 12", "1000, 13"})
     void whatTurnsRoundWithinAStepIsTimed(double rate, long seed) {

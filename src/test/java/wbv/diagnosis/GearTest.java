@@ -15,7 +15,9 @@ import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
-/** A gear between two encoders that count from places of their own: the motor's drives it as measured, or a measured force pushes the motor. */
+/**
+ * A gear between two encoders that count from places of their own: the motor's drives it as measured, or a measured force pushes the motor.
+ */
 class GearTest {
 
     private static final Channel MOTOR = Channel.parse("motor.pos.z");
@@ -71,9 +73,10 @@ class GearTest {
 
     private static Model driven(long seed) {
         DoubleUnaryOperator wrong = wrong(seed);
-        return new Model("gear", Optional.empty(), 'z', new Model.Base("motor", Optional.of(MOTOR)), List.of(Bench.body("load", 2, Optional.of(LOAD))),
-                List.of(Bench.link("motor", "load", wrong.applyAsDouble(STIFFNESS), wrong.applyAsDouble(DAMPING), Optional.empty())), List.of(),
-                Optional.of(Model.Subject.RIG));
+        return new Model("gear", Optional.empty(), 'z', new Model.Base("motor", Optional.of(MOTOR)),
+                List.of(Bench.body("load", 2, Optional.of(LOAD))),
+                List.of(Bench.link("motor", "load", wrong.applyAsDouble(STIFFNESS), wrong.applyAsDouble(DAMPING), Optional.empty())),
+                List.of(), Optional.of(Model.Subject.RIG));
     }
 
     private static Model pushed(long seed) {

@@ -28,7 +28,10 @@ class RealTest {
         assertTrue(row.error() < 0.28, row.toString());
     }
 
-    /** What loses the sign of a speed that hardly turns round cuts it off at nothing: no name is held, and if one is told it is a fault of that sensor. */
+    /**
+     * What loses the sign of a speed that hardly turns round cuts it off at nothing: no name is held, and if one is told it is a fault of
+     * that sensor.
+     */
     @Tag("slow")
     @Test
     void aSpeedThatHardlyTurnsRoundNamesNoLaw() throws IOException {

@@ -70,7 +70,10 @@ class RidesTest {
         return assertThrows(DataFault.class, () -> Rides.of(both, Optional.empty())).getMessage();
     }
 
-    /** A spring that hardens, at three levels: two are fitted, and the third, twice as strong and farther out on the law, is met nearly to the noise. */
+    /**
+     * A spring that hardens, at three levels: two are fitted, and the third, twice as strong and farther out on the law, is met nearly to
+     * the noise.
+     */
     @Tag("slow")
     @Test
     void aLawThatTwoLevelsShowHoldsAtAThird() {

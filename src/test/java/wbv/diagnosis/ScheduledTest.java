@@ -89,9 +89,10 @@ class ScheduledTest {
         long seed = 6;
         Random random = new Random(seed);
         DoubleUnaryOperator push = Bench.tones(40, 0.3, 0.4925, 2.5, random);
-        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0] - 3e8 * x[0] * x[0] * x[0]);
-        Diagnosis d = diagnosed(bench.recording("mass.force.z", bench.sampled(push), POSITION, Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random),
-                ROLLER, bench.sampled(roller(seed))), seed);
+        Bench bench = new Bench(200, 30, 50, 2)
+                .run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0] - 3e8 * x[0] * x[0] * x[0]);
+        Diagnosis d = diagnosed(bench.recording("mass.force.z", bench.sampled(push), POSITION,
+                Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random), ROLLER, bench.sampled(roller(seed))), seed);
         assertEquals(List.of("stiffness.hardening"), d.missing().stream().map(Diagnosis.Named::mechanism).toList(), d.sentence());
     }
 
@@ -134,15 +135,16 @@ class ScheduledTest {
     }
 
     /** 2 kg under forty tones up to 20 Hz, with 0.3 % noise. */
-    private static Recording bench(Channel channel, DoubleUnaryOperator by, DoubleUnaryOperator stiffness, DoubleUnaryOperator damping, DoubleUnaryOperator friction,
-                                   long seed) {
+    private static Recording bench(Channel channel, DoubleUnaryOperator by, DoubleUnaryOperator stiffness, DoubleUnaryOperator damping,
+            DoubleUnaryOperator friction, long seed) {
         Random random = new Random(seed);
         DoubleUnaryOperator push = Bench.tones(40, 0.3, 0.4925, friction.applyAsDouble(1) > 0 ? 8 : 2.5, random);
         Bench bench = new Bench(200, 40, 50, 2).run((t, x, v, out) -> {
             double at = by.applyAsDouble(t);
             out[0] = push.applyAsDouble(t) - stiffness.applyAsDouble(at) * x[0] - damping.applyAsDouble(at) * v[0];
         }, new double[1], new double[1], (t, x, v, out) -> out[0] = friction.applyAsDouble(by.applyAsDouble(t)));
-        return bench.recording("mass.force.z", bench.sampled(push), POSITION, Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random),
+        return bench.recording("mass.force.z", bench.sampled(push), POSITION,
+                Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random),
                 channel, Bench.noisy(bench.sampled(by), channel == COIL ? 0.005 : 2e-5, random));
     }
 }

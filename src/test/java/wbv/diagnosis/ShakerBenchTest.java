@@ -85,12 +85,14 @@ class ShakerBenchTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';', value = {
-        "\"subject\": \"person\", \"base\": {\"name\": \"ground\", \"sensor\": null}; \"inputs\": [{\"body\": \"mass\", \"sensor\": \"mass.force.z\"}], ; mass.force.z",
+        "\"subject\": \"person\", \"base\": {\"name\": \"ground\", \"sensor\": null}; \"inputs\": [{\"body\": \"mass\", \"sensor\": "
+                + "\"mass.force.z\"}], ; mass.force.z",
         "\"subject\": \"seat\", \"base\": {\"name\": \"ground\", \"sensor\": \"table.acc.z\"}; ; person, rig"})
     void whatCannotBeIsToldInOneLine(String head, String inputs, String told) {
-        DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse("{\"name\": \"bench\", " + head + ", " + Optional.ofNullable(inputs).orElse("")
-                + "\"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.acc.z\"}], \"links\": [{\"from\": \"ground\", \"to\": \"mass\", "
-                + "\"stiffness_N_per_m\": 1000, \"damping_Ns_per_m\": 1}]}", "model.json"));
+        DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse("{\"name\": \"bench\", " + head + ", "
+                + Optional.ofNullable(inputs).orElse("")
+                + "\"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.acc.z\"}], \"links\": [{\"from\": \"ground\", "
+                + "\"to\": \"mass\", \"stiffness_N_per_m\": 1000, \"damping_Ns_per_m\": 1}]}", "model.json"));
         assertTrue(fault.getMessage().contains("subject") && fault.getMessage().contains(told) && fault.getMessage().lines().count() == 1, fault.getMessage());
     }
 
@@ -108,12 +110,18 @@ class ShakerBenchTest {
 
     /** A tenth too soft, and a fifth too little damped. */
     private static Model model(double resonance, String subject) {
-        return ModelFile.parse("{\"name\": \"shaker\", \"subject\": " + subject + ", \"base\": {\"name\": \"table\", \"sensor\": \"table.acc.z\"}, "
-                + "\"bodies\": [{\"name\": \"mass\", \"mass_kg\": " + KILOGRAMS + ", \"sensor\": \"mass.acc.z\"}], \"links\": [{\"from\": \"table\", \"to\": \"mass\", "
-                + "\"stiffness_N_per_m\": " + 0.9 * stiffness(resonance) + ", \"damping_Ns_per_m\": " + 0.8 * damping(resonance) + "}]}", "shaker");
+        return ModelFile.parse("{\"name\": \"shaker\", \"subject\": " + subject
+                + ", \"base\": {\"name\": \"table\", \"sensor\": \"table.acc.z\"}, "
+                + "\"bodies\": [{\"name\": \"mass\", \"mass_kg\": " + KILOGRAMS
+                + ", \"sensor\": \"mass.acc.z\"}], \"links\": [{\"from\": \"table\", \"to\": \"mass\", "
+                + "\"stiffness_N_per_m\": " + 0.9 * stiffness(resonance) + ", \"damping_Ns_per_m\": " + 0.8 * damping(resonance) + "}]}",
+                "shaker");
     }
 
-    /** A hundred tones up to two and a half times the resonance, Runge and Kutta's fourth order at twenty steps a sample, 0.2 % noise on the mass. */
+    /**
+     * A hundred tones up to two and a half times the resonance, Runge and Kutta's fourth order at twenty steps a sample, 0.2 % noise on the
+     * mass.
+     */
     private static Recording bench(double resonance, double rate, double seconds, double cubic, long seed) {
         int n = (int) (seconds * rate);
         Random random = new Random(seed);

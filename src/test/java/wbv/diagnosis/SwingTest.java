@@ -46,10 +46,10 @@ class SwingTest {
         Candidate baseline = Baseline.of(evidence);
         Assembly given = baseline.at(baseline.start());
         List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
-        assertTrue(drive(all, "coupling.axis@seat-torso[x]") instanceof Drive.UpperSwings swings && swings.measured().toString().equals("seat.acc.x")
-                && swings.rate().toString().equals("platform.gyr.y"));
-        assertTrue(drive(all, "coupling.axis@torso-head[y]") instanceof Drive.LowerSwings swings && swings.measured().toString().equals("head.acc.y")
-                && swings.rate().toString().equals("platform.gyr.x"));
+        assertTrue(drive(all, "coupling.axis@seat-torso[x]") instanceof Drive.UpperSwings swings
+                && swings.measured().toString().equals("seat.acc.x") && swings.rate().toString().equals("platform.gyr.y"));
+        assertTrue(drive(all, "coupling.axis@torso-head[y]") instanceof Drive.LowerSwings swings
+                && swings.measured().toString().equals("head.acc.y") && swings.rate().toString().equals("platform.gyr.x"));
         assertTrue(drive(all, "coupling.axis@platform-seat[x]") instanceof Drive.CrossAxis, "both ends carry one");
     }
 

@@ -187,7 +187,9 @@ class TrapsTest {
         }
     }
 
-    /** What a link loses in the first moments of motion is no slow drift, as well as one would fit: it goes by what the link did of late. */
+    /**
+     * What a link loses in the first moments of motion is no slow drift, as well as one would fit: it goes by what the link did of late.
+     */
     @Tag("slow")
     @Test
     void whatIsOverInSecondsIsNoSlowDrift() throws Exception {

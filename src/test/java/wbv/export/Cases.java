@@ -21,8 +21,8 @@ import wbv.recording.format.RecordingWriter;
 /** Models with every law, drive and fault, and a recording that drives them. */
 final class Cases {
 
-    private static final List<String> CHANNELS = List.of("platform.acc.z", "platform.acc.x", "platform.gyr.y", "platform.vel.z", "platform.pos.z", "seat.force.z",
-            "head.acc.x", "head.acc.y");
+    private static final List<String> CHANNELS = List.of("platform.acc.z", "platform.acc.x", "platform.gyr.y", "platform.vel.z",
+            "platform.pos.z", "seat.force.z", "head.acc.x", "head.acc.y");
 
     private Cases() { }
 

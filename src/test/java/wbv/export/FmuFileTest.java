@@ -49,7 +49,8 @@ class FmuFileTest {
                 unit.fmi3InstantiateCoSimulation.restype = ctypes.c_void_p
                 token = re.search('instantiationToken="([^"]*)"', text).group(1)
                 no = ctypes.c_ubyte(0)
-                s = ctypes.c_void_p(unit.fmi3InstantiateCoSimulation(b"x", token.encode(), None, no, no, no, no, None, ctypes.c_size_t(0), None, None, None))
+                s = ctypes.c_void_p(unit.fmi3InstantiateCoSimulation(b"x", token.encode(), None, no, no, no, no, None, ctypes.c_size_t(0),
+                                                                       None, None, None))
                 forces = [int(each) for each in re.findall(r'name="law_\\d+\\.force" valueReference="(\\d+)"', text)]
                 references = (ctypes.c_uint * len(forces))(*forces)
                 values = (ctypes.c_double * len(forces))()
@@ -60,11 +61,12 @@ class FmuFileTest {
                     for i, value in enumerate(acceleration):
                         assert unit.fmi3SetFloat64(s, base, one, (ctypes.c_double * 1)(value), one) == 0
                         if i == 0:
-                            assert unit.fmi3EnterInitializationMode(s, no, ctypes.c_double(0), ctypes.c_double(0), no, ctypes.c_double(0)) == 0
+                            assert unit.fmi3EnterInitializationMode(s, no, ctypes.c_double(0), ctypes.c_double(0), no,
+                                                                    ctypes.c_double(0)) == 0
                             assert unit.fmi3ExitInitializationMode(s) == 0
                         else:
-                            assert unit.fmi3DoStep(s, ctypes.c_double((i - 1) * STEP), ctypes.c_double(STEP), no, ctypes.byref(flag), ctypes.byref(flag),
-                                                   ctypes.byref(flag), ctypes.byref(reached)) == 0
+                            assert unit.fmi3DoStep(s, ctypes.c_double((i - 1) * STEP), ctypes.c_double(STEP), no, ctypes.byref(flag),
+                                                   ctypes.byref(flag), ctypes.byref(flag), ctypes.byref(reached)) == 0
                         n = ctypes.c_size_t(len(forces))
                         assert unit.fmi3GetFloat64(s, references, n, values, n) == 0
                         out.write(" ".join(repr(each) for each in values) + "\\n")
@@ -106,7 +108,10 @@ class FmuFileTest {
         }
     }
 
-    /** A chain with a law in the link that the models have theirs in, between two that remember: whatever else the file of models holds, and in which order. */
+    /**
+     * A chain with a law in the link that the models have theirs in, between two that remember: whatever else the file of models holds, and
+     * in which order.
+     */
     private static Model with(Law law) throws IOException {
         Model chain = named("linear");
         List<List<Law>> laws = List.of(named("law 12, hysteresis").links().get(1).laws(), List.of(law), named("law 10, friction.coulomb").links().get(1).laws());
@@ -131,9 +136,10 @@ class FmuFileTest {
                 assertEquals(i, Integer.parseInt(variable.getAttribute("valueReference")));
                 kinds.merge(variable.getAttribute("causality"), 1, Integer::sum);
             }
-            assertEquals(Map.of("independent", 1, "input", source.signals().names().size(), "output", model.outputs().size(), "local", model.assembly().laws().size(),
-                    "parameter", source.parameters().size()), kinds);
-            assertTrue(entries.keySet().stream().anyMatch(name -> name.startsWith("sources/") && name.endsWith(".c")), entries.keySet().toString());
+            assertEquals(Map.of("independent", 1, "input", source.signals().names().size(), "output", model.outputs().size(), "local",
+                    model.assembly().laws().size(), "parameter", source.parameters().size()), kinds);
+            assertTrue(entries.keySet().stream().anyMatch(name -> name.startsWith("sources/") && name.endsWith(".c")),
+                    entries.keySet().toString());
         }
     }
 

@@ -13,7 +13,9 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Assumptions;
 
-/** Builds functional mock-up units from the C of the test tree. Tests that need them are skipped, saying so, where there is no C compiler. */
+/**
+ * Builds functional mock-up units from the C of the test tree. Tests that need them are skipped, saying so, where there is no C compiler.
+ */
 public final class BuiltUnit {
 
     private static final Path SOURCE = Path.of("src/test/c").toAbsolutePath();
@@ -60,8 +62,8 @@ public final class BuiltUnit {
             List.of(new Parameter("cushion_k", 60000, "N/m"), new Parameter("cushion_c", 900, "N.s/m"), new Parameter("backrest_k", 15000, "N/m"),
                     new Parameter("backrest_c", 400, "N.s/m"), new Parameter("neck_k", 90, ""), new Parameter("neck_c", 3.5, "")), 13, 0);
 
-    public static final Plan BALL = new Plan("bouncing_ball.c", ordered("platform.acc.z", "m/s2"), ordered("ball.pos.z", "m", "ball.vel.z", "m/s"),
-            List.of(new Parameter("g", 9.81, "m/s2")), 2, 1);
+    public static final Plan BALL = new Plan("bouncing_ball.c", ordered("platform.acc.z", "m/s2"),
+            ordered("ball.pos.z", "m", "ball.vel.z", "m/s"), List.of(new Parameter("g", 9.81, "m/s2")), 2, 1);
 
     private BuiltUnit() { }
 

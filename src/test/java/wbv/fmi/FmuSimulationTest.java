@@ -151,8 +151,8 @@ class FmuSimulationTest {
     }
 
     /**
-     * Amplitudes of the outputs over one of the inputs: M q'' = sum of J' (k + jwc) (J_plate q_plate - J q), written with the rows of bushings, not with
-     * forces on bodies as the unit does.
+     * Amplitudes of the outputs over one of the inputs: M q'' = sum of J' (k + jwc) (J_plate q_plate - J q), written with the rows of
+     * bushings, not with forces on bodies as the unit does.
      */
     private static Complex[] planar(double w, int input) {
         Complex jw = new Complex(0, w);

@@ -98,7 +98,9 @@ class EquivalentBodiesTest {
         }
     }
 
-    /** Noise that follows itself for a third of a second, as large as a third of the motion: a filter that takes it for white is too sure. */
+    /**
+     * Noise that follows itself for a third of a second, as large as a third of the motion: a filter that takes it for white is too sure.
+     */
     @Test
     void deviationsHoldTheTruthAsOftenAsTheySay() {
         int held = 0;

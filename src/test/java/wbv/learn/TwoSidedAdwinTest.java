@@ -77,8 +77,8 @@ class TwoSidedAdwinTest {
         "GeometricMovingAverageDM", "HDDM_A_Test", "HDDM_W_Test", "PageHinkleyDM", "RDDM", "STEPD", "none", "wbv.learn.TwoSidedAdwin"})
     void theLearnerTakesAnyDetector(String name) throws Exception {
         AdwinKalman learner = (AdwinKalman) ClassOption.cliStringToObject("wbv.learn.AdwinKalman -a " + name, AdwinKalman.class, null);
-        RecordingStream stream = (RecordingStream) ClassOption.cliStringToObject("wbv.stream.RecordingStream -f data/arff/one-dof-step.arff",
-                InstanceStream.class, null);
+        RecordingStream stream = (RecordingStream) ClassOption.cliStringToObject(
+                "wbv.stream.RecordingStream -f data/arff/one-dof-step.arff", InstanceStream.class, null);
         stream.prepareForUse();
         learner.setModelContext(stream.getHeader());
         learner.prepareForUse();

@@ -237,8 +237,8 @@ class BrowserTest {
             browser.until(last + " !== '" + before + "'");
             Thread.sleep(2000);
             double[] end = size(browser);
-            System.out.printf(Locale.ROOT, "%.1f h at %.0f times: nodes %.0f, then %.0f; heap %.2f MB, then %.2f MB%n", seconds / 3600, speed,
-                    quarter[0], end[0], quarter[1] / 1e6, end[1] / 1e6);
+            System.out.printf(Locale.ROOT, "%.1f h at %.0f times: nodes %.0f, then %.0f; heap %.2f MB, then %.2f MB%n", seconds / 3600,
+                    speed, quarter[0], end[0], quarter[1] / 1e6, end[1] / 1e6);
             assertTrue(end[0] < 1.3 * quarter[0], "nodes: " + quarter[0] + ", then " + end[0]);
             assertTrue(end[1] < 1.5 * quarter[1] + 1e6, "bytes of heap: " + quarter[1] + ", then " + end[1]);
         }

@@ -55,7 +55,10 @@ class KeepTest {
         return results(told);
     }
 
-    /** Ended at random moments, the sender repeating the last rows, as one does whose rows were not acknowledged: every result is told once, the same. */
+    /**
+     * Ended at random moments, the sender repeating the last rows, as one does whose rows were not acknowledged: every result is told once,
+     * the same.
+     */
     @Test
     void nothingIsLostAndNothingCountsTwice() throws IOException {
         List<String> rows = rows(1800);
@@ -116,8 +119,8 @@ class KeepTest {
             live.finish();
         }
         LiveSettings usual = LiveSettings.usual();
-        LiveSettings others = new LiveSettings(usual.reading(), usual.columns(), wbv.filter.Method.EKF, usual.input(), usual.outputs(), usual.place(), false,
-                usual.states(), 1, 5);
+        LiveSettings others = new LiveSettings(usual.reading(), usual.columns(), wbv.filter.Method.EKF, usual.input(), usual.outputs(),
+                usual.place(), false, usual.states(), 1, 5);
         try (Keep keep = new Keep(state)) {
             DataFault fault = assertThrows(DataFault.class, () -> new LiveStream(others, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
             assertTrue(fault.getMessage().contains("other options") && fault.getMessage().lines().count() == 1, fault.getMessage());

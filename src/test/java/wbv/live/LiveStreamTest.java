@@ -49,8 +49,8 @@ class LiveStreamTest {
         for (int i = from; i < to; i++) {
             if (kept.test(i)) {
                 double u = Math.sin(0.45 * i) + 0.7 * Math.sin(0.21 * i * (1 + 0.0001 * i));
-                text.append(String.format(Locale.ROOT, "%.6f,%.6f,%.6f,%.6f%n", time.applyAsDouble(i), u + offset, 1.3 * u + 0.2 * Math.sin(0.9 * i) + offset,
-                        u + 0.01 * Math.sin(1.7 * i) + offset));
+                text.append(String.format(Locale.ROOT, "%.6f,%.6f,%.6f,%.6f%n", time.applyAsDouble(i), u + offset,
+                        1.3 * u + 0.2 * Math.sin(0.9 * i) + offset, u + 0.01 * Math.sin(1.7 * i) + offset));
             }
         }
         return text.toString();

@@ -49,8 +49,8 @@ class PageServerTest {
 
     private static String row(String seat, int i) {
         double u = Math.sin(0.45 * i) + 0.7 * Math.sin(0.21 * i * (1 + 0.0001 * i));
-        return String.format(Locale.ROOT, "{\"seat\":\"%s\",\"t\":%.6f,\"platform.acc.z\":%.6f,\"head.acc.z\":%.6f,\"seat.acc.z\":%.6f}", seat, i / 60.0, u,
-                1.3 * u + 0.2 * Math.sin(0.9 * i), 8 * u);
+        return String.format(Locale.ROOT, "{\"seat\":\"%s\",\"t\":%.6f,\"platform.acc.z\":%.6f,\"head.acc.z\":%.6f,\"seat.acc.z\":%.6f}",
+                seat, i / 60.0, u, 1.3 * u + 0.2 * Math.sin(0.9 * i), 8 * u);
     }
 
     private void send(String line) {

@@ -59,8 +59,8 @@ public final class RemovalProof {
         PoleTraining.Result result = training.finish();
         for (PlaceClusters place : result.places()) {
             System.out.printf(Locale.ROOT, "%s %d poles, epsilon %.3f, %d clusters of %s, %d noise%n", place.place(), place.poles().size(),
-                    place.curve().epsilon(), place.count(), IntStream.range(0, place.count()).mapToObj(i -> place.members(i).size()).toList(),
-                    place.members(-1).size());
+                    place.curve().epsilon(), place.count(),
+                    IntStream.range(0, place.count()).mapToObj(i -> place.members(i).size()).toList(), place.members(-1).size());
         }
         List<Score> scores = new ArrayList<>();
         List<Held> bounds = new ArrayList<>();
@@ -172,7 +172,9 @@ public final class RemovalProof {
     }
 
     private static void print(List<Score> scores) {
-        System.out.println("| channel | method | excitation | runs | with a peak | MSE over variance, mean (worst) | peak frequency off, median (worst) [Hz] | peak magnitude off, median (worst) |");
+        System.out.println(
+                "| channel | method | excitation | runs | with a peak | MSE over variance, mean (worst) | peak frequency off, median "
+                        + "(worst) [Hz] | peak magnitude off, median (worst) |");
         System.out.println("|---|---|---|---|---|---|---|---|");
         for (String group : List.of("regime", "random")) {
             for (Channel channel : scores.stream().map(Score::channel).distinct().toList()) {
@@ -194,7 +196,9 @@ public final class RemovalProof {
     }
 
     private static void printHeld(List<Held> all) {
-        System.out.println("| channel | attribute | excitation | windows | body within the bounds | pole over the polygon | bounds apart, mean | middle off, mean |");
+        System.out.println(
+                "| channel | attribute | excitation | windows | body within the bounds | pole over the polygon | bounds apart, mean | "
+                        + "middle off, mean |");
         System.out.println("|---|---|---|---|---|---|---|---|");
         for (String group : List.of("regime", "random")) {
             for (Channel channel : all.stream().map(Held::channel).distinct().sorted(java.util.Comparator.comparing(Channel::toString)).toList()) {

@@ -56,8 +56,8 @@ class CalibratingTest {
     }
 
     private static Marking marking(double left, double rival, boolean right) {
-        ProofAnswer answer = new ProofAnswer("missing-physics", "", List.of(name("hysteresis", left)), List.of(name("friction.coulomb", rival)), List.of(),
-                1 + WITHOUT, 1 + left, 1 + WITHOUT, 1 + left, 1);
+        ProofAnswer answer = new ProofAnswer("missing-physics", "", List.of(name("hysteresis", left)),
+                List.of(name("friction.coulomb", rival)), List.of(), 1 + WITHOUT, 1 + left, 1 + WITHOUT, 1 + left, 1);
         return MarkingTest.marked(right ? "hysteresis" : "friction.coulomb", answer);
     }
 

@@ -42,7 +42,10 @@ class ForceMatchTest {
     private static final ForceMatch TRUTH = new ForceMatch(RATE, series(i -> 5 * sine(3, i) * sine(1.7, i)), series(i -> 1e-3 * sine(3, i)),
             series(i -> 0.02 * sine(3.01, i + 5)));
 
-    /** A stiffness, a damping, a load and what is too slow to be told from rest are no part of it; nor is anything before the held-out stretch. */
+    /**
+     * A stiffness, a damping, a load and what is too slow to be told from rest are no part of it; nor is anything before the held-out
+     * stretch.
+     */
     @Test
     void anAnswerIsAlikeWhateverLinearPartItHas() {
         double[] told = series(i -> 2 * TRUTH.force()[i] + 3e4 * TRUTH.extension()[i] - 700 * TRUTH.speed()[i] + 40 + 30 * sine(0.3, i)
@@ -74,9 +77,10 @@ class ForceMatchTest {
     }
 
     private static Model model(List<Law> laws) {
-        return new Model("one", Optional.empty(), 'z', new Model.Base("platform", Optional.of(new Channel("platform", Quantity.ACCELERATION, 'z'))),
-                List.of(new Model.Body("torso", 50, Optional.of(new Channel("torso", Quantity.ACCELERATION, 'z')), List.of(), Optional.empty(),
-                        List.of())),
+        return new Model("one", Optional.empty(), 'z',
+                new Model.Base("platform", Optional.of(new Channel("platform", Quantity.ACCELERATION, 'z'))),
+                List.of(new Model.Body("torso", 50, Optional.of(new Channel("torso", Quantity.ACCELERATION, 'z')), List.of(),
+                        Optional.empty(), List.of())),
                 List.of(new Model.Link("platform", "torso", 5e4, 1500, Optional.empty(), laws, List.of())));
     }
 
@@ -91,8 +95,8 @@ class ForceMatchTest {
     void theForceOfAnAnswerIsWhatItsNewLawsCarry() {
         double k3 = 5e9;
         double[] base = series(i -> 3 * Math.sin(2 * Math.PI * 0.1 * i / RATE) * Math.sin(Math.PI * i / N));
-        Recording recording = new Recording(new Clock(100, RATE), new java.util.LinkedHashMap<>(Map.of(new Channel("platform", Quantity.ACCELERATION, 'z'), base)),
-                Metadata.NONE);
+        Recording recording = new Recording(new Clock(100, RATE),
+                new java.util.LinkedHashMap<>(Map.of(new Channel("platform", Quantity.ACCELERATION, 'z'), base)), Metadata.NONE);
         LawForce force = LawForce.of(found(model(List.of(new CubicSpring(k3)))), model(List.of()), recording).orElseThrow();
         assertEquals("platform-torso", force.where());
         assertEquals(30, force.from());

@@ -245,7 +245,9 @@ class MarkingTest {
                 answer);
     }
 
-    /** Joints of a person in a plane have no direction, a sensor there is one, and the sternum is the torso's; elsewhere words are words. */
+    /**
+     * Joints of a person in a plane have no direction, a sensor there is one, and the sternum is the torso's; elsewhere words are words.
+     */
     @Test
     void placesInAPlaneHaveSeveralNames() {
         Truth plane = new Truth(List.of(), "planar", 1, 10, "pelvis", 1);
@@ -288,9 +290,8 @@ class MarkingTest {
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
         ProofAnswer answer = new ProofAnswer("ambiguous", "One \"of\" two.", List.of(new ProofAnswer.Name("hysteresis", "seat-torso", 0.4,
-                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7)), names("friction.coulomb@seat-torso"),
-                List.of("seat"),
-                2.5, 1.1, Double.NaN, 1.2, 3.5);
+                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7)),
+                names("friction.coulomb@seat-torso"), List.of("seat"), 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.
         assertEquals(answer, ProofAnswer.parse(answer.json()));
     }

@@ -115,7 +115,10 @@ class ProofTest {
         assertEquals(5 * 3, Suite.full(1).only("friction.coulomb").questions().size(), "sitters alone");
     }
 
-    /** What perfect sensors would send of a bench, the simulator of models makes of the exact model and the same input, to less than the sensors' noise; they share no code. */
+    /**
+     * What perfect sensors would send of a bench, the simulator of models makes of the exact model and the same input, to less than the
+     * sensors' noise; they share no code.
+     */
     @ParameterizedTest
     @ValueSource(longs = {2, 11, 13, 26})
     void theSimulatorOfModelsMovesAnExactBenchAsTheGeneratorDid(long seed) throws IOException {
@@ -149,7 +152,10 @@ class ProofTest {
         assertTrue(tables.markdown().contains("nothing, values exact, bench levels"), tables.markdown());
     }
 
-    /** Where a simulation lies beside the recording, that is what it is held against, whatever the model: here what perfect sensors would have sent. */
+    /**
+     * Where a simulation lies beside the recording, that is what it is held against, whatever the model: here what perfect sensors would
+     * have sent.
+     */
     @Test
     void aSimulationBesideTheRecordingIsAskedOf(@TempDir Path folder) throws IOException {
         ConcealedCase made = Concealer.make(new ConcealedSpec("577", List.of(), 1, Setting.FIELD, true, 6));

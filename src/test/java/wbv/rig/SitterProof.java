@@ -52,7 +52,9 @@ final class SitterProof {
     }
 
     private static void sitters(int people) {
-        System.out.println("| sitter | head over seat, peak | at Hz | apparent mass over sitting mass, peak | at Hz | pelvis over platform, peaks at Hz |");
+        System.out.println(
+                "| sitter | head over seat, peak | at Hz | apparent mass over sitting mass, peak | at Hz | pelvis over platform, peaks "
+                        + "at Hz |");
         System.out.println("|---|---|---|---|---|---|");
         Subject.ALL.forEach(subject -> row("subject " + subject.origin(), List.of(subject)));
         row("erect", List.of(Subject.of(1).withPosture(Posture.ERECT)));

@@ -30,7 +30,9 @@ class GoldenStatesTest {
     private static final int SAVED = 200;
     private static final int GOES_ON = 20;
     private static final double ROUNDING = 1e-7;
-    /** Of exposure that was begun at 840 Hz and is gone on with at 120 Hz, of which a quarter of a second more of 20 s is known at a moment. */
+    /**
+     * Of exposure that was begun at 840 Hz and is gone on with at 120 Hz, of which a quarter of a second more of 20 s is known at a moment.
+     */
     private static final double WEIGHTED_OTHERWISE = 0.02;
     /** Places of what is told of a seat's exposure. */
     private static final List<Integer> EXPOSURE = List.of(4, 5, 6);

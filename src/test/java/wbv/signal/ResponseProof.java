@@ -5,7 +5,10 @@ import java.util.Random;
 import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.KnownBodies.Response;
 
-/** The figures of docs/thesis.md, chapter 2: how well frequency responses of known bodies are measured, over many draws: 40, or as many as the argument says. */
+/**
+ * The figures of docs/thesis.md, chapter 2: how well frequency responses of known bodies are measured, over many draws: 40, or as many as
+ * the argument says.
+ */
 public final class ResponseProof {
 
     private static final double RATE = 60;

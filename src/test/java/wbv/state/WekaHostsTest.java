@@ -80,7 +80,10 @@ class WekaHostsTest {
         assertEquals("7", words[List.of(words).indexOf(first) + 1]);
     }
 
-    /** Two runs of what the Experimenter runs (its own window reads files by libraries of Weka's that are not ours): a row of results each, with a likelihood of what was not learned from. */
+    /**
+     * Two runs of what the Experimenter runs (its own window reads files by libraries of Weka's that are not ours): a row of results each,
+     * with a likelihood of what was not learned from.
+     */
     @Test
     void theExperimenterRunsAClusterer() throws Exception {
         File results = folder.resolve("results.arff").toFile();

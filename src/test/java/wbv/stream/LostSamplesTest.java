@@ -27,7 +27,11 @@ class LostSamplesTest {
         return (InstanceStream) stream;
     }
 
-    /** Runs a regressor over a stream, test then train; some of MOA's print as they go. @return instances foreseen, all by finite numbers */
+    /**
+     * Runs a regressor over a stream, test then train; some of MOA's print as they go.
+     *
+     * @return instances foreseen, all by finite numbers
+     */
     private static int foreseen(InstanceStream stream, String cli) throws Exception {
         Classifier learner = (Classifier) ClassOption.cliStringToObject(cli, Classifier.class, null);
         learner.setModelContext(stream.getHeader());

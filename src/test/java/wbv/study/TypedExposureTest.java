@@ -14,7 +14,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import wbv.exposure.SeatAxis;
 import wbv.recording.DataFault;
 
-/** Closed forms of Directive 2002/44/EC, Annex B, and the points of the HSE's calculator (v1.06: 100 at the action value, 529 at the limit value). */
+/**
+ * Closed forms of Directive 2002/44/EC, Annex B, and the points of the HSE's calculator (v1.06: 100 at the action value, 529 at the limit
+ * value).
+ */
 class TypedExposureTest {
 
     private static TypedExposure.Results of(TypedExposure.Spell... spells) {

@@ -19,8 +19,9 @@ import org.junit.jupiter.api.io.TempDir;
 /** The chain of chapter 6 as one streaming task. */
 class PredictWithoutSensorTest {
 
-    private static final String TASK = "wbv.task.PredictWithoutSensor -l (wbv.learn.SensorRemover -w 10 -h 2 -b 8 -k 30) -s (wbv.stream.RigStream "
-            + "-e 'subject=2 excitation=random:z:0.5-12:0.8 seconds=100 seed=6' -i platform.acc.z,platform.acc.x,platform.gyr.y,seat.acc.z) -a 60 -e 10";
+    private static final String TASK = "wbv.task.PredictWithoutSensor -l (wbv.learn.SensorRemover -w 10 -h 2 -b 8 -k 30) -s "
+            + "(wbv.stream.RigStream -e 'subject=2 excitation=random:z:0.5-12:0.8 seconds=100 seed=6' -i "
+            + "platform.acc.z,platform.acc.x,platform.gyr.y,seat.acc.z) -a 60 -e 10";
 
     @TempDir
     private Path folder;

@@ -117,7 +117,8 @@ class TaskTest {
         assertTrue(last(curve, "coefficient of determination") > 0.99);
         LearningCurve whole = curve("EvaluatePrequentialRegression -l (wbv.learn.AdwinKalman -f 6.0) -s " + RIG
                 + " -e BasicRegressionPerformanceEvaluator -f 500");
-        assertEquals(last(whole, "coefficient of determination"), last(whole, "share explained [1]"), 1e-5);   // the first sample counts differently
+        // The first sample counts differently.
+        assertEquals(last(whole, "coefficient of determination"), last(whole, "share explained [1]"), 1e-5);
         assertEquals(0, last(whole, "lost samples"));
     }
 

@@ -121,8 +121,8 @@ public final class FleetJob {
         }
     }
 
-    private static DataStreamSource<Tuple2<Long, byte[]>> from(StreamExecutionEnvironment environment, Source<Tuple2<Long, byte[]>, ?, ?> source,
-                                                               String name) {
+    private static DataStreamSource<Tuple2<Long, byte[]>> from(StreamExecutionEnvironment environment,
+            Source<Tuple2<Long, byte[]>, ?, ?> source, String name) {
         return environment.fromSource(source, WatermarkStrategy.noWatermarks(), name, Types.TUPLE(Types.LONG,
                 Types.PRIMITIVE_ARRAY(Types.BYTE)));
     }
@@ -141,7 +141,8 @@ public final class FleetJob {
         byte[] order = fleet.follow().bytes();
         double rate = fleet.follow().rate();
         String header = new ResultRows(fleet.follow().plan()).header();
-        var read = packets.process(new ReadPackets()).setParallelism(packets.getParallelism()) // between more of them a seat's order is lost
+        // Between more of them a seat's order is lost.
+        var read = packets.process(new ReadPackets()).setParallelism(packets.getParallelism())
                 .returns(Types.TUPLE(Types.LONG, Types.STRING, Types.PRIMITIVE_ARRAY(Types.BYTE))).name("read").uid("read");
         KeyedStream<Tuple3<Long, String, byte[]>, String> keyed = read.keyBy(each -> each.f1, Types.STRING);
         SingleOutputStreamOperator<String> followed = (models.isPresent()

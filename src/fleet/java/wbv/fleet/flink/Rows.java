@@ -55,7 +55,9 @@ final class Rows {
     /** A row and where it belongs. */
     record Placed(long place, String seat, int number, String row) {
 
-        /** Rounds, within them seats, whose names are numbered in so many digits at least, within them the order in which they were told. */
+        /**
+         * Rounds, within them seats, whose names are numbered in so many digits at least, within them the order in which they were told.
+         */
         static final Comparator<Placed> ORDER = Comparator.<Placed>comparingLong(each -> each.place >>> PACKETS)
                 .thenComparingInt(each -> each.seat.length()).thenComparing(Placed::seat)
                 .thenComparingLong(Placed::place).thenComparingInt(Placed::number);

@@ -160,8 +160,8 @@ class FleetJobTest {
     @Test
     void anotherModelOfStatesHoldsFromItsTimeOn() throws Exception {
         StateModel first = StateModelFile.shipped();
-        StateModel second = new StateModel(first.features(), first.thresholds(), first.mixture(), first.chain(), first.activities(), first.names(),
-                first.shares(), 5 * first.error(), List.of("another"), first.rows());
+        StateModel second = new StateModel(first.features(), first.thresholds(), first.mixture(), first.chain(), first.activities(),
+                first.names(), first.shares(), 5 * first.error(), List.of("another"), first.rows());
         Recording recording = new RecordingFile(Path.of("data/arff/ride-subject1.arff"), ReadOptions.DEFAULT).load();
         List<Channel> channels = SeatPlan.usual(60, recording.channels(), Method.EKF, false, Optional.of(first)).needed();
         SeatOrder follow = new SeatOrder(60, channels, Method.EKF, false, Optional.of(first), 60);
@@ -232,8 +232,8 @@ class FleetJobTest {
     @Test
     void tablesAreToldAgainForWhoeverIsBehind() throws Exception {
         String header = "seat,t_s,a8_m_per_s2,vdv_m_per_s1.75,minutes_to_action,minutes_to_limit,lost_samples\n";
-        List<Tuple3<Long, Long, String>> sent = List.of(told("a", 1, 0.3), told("a", 8, 0.4), told("b", 21, 0.2), told("c", 5, 0.5), told("b", 75, 0.3),
-                told("a", 900, 0.6), told("d", 3, 0.9), told("a", 905, 0.7));
+        List<Tuple3<Long, Long, String>> sent = List.of(told("a", 1, 0.3), told("a", 8, 0.4), told("b", 21, 0.2), told("c", 5, 0.5),
+                told("b", 75, 0.3), told("a", 900, 0.6), told("d", 3, 0.9), told("a", 905, 0.7));
         List<String> tables = new ArrayList<>();
         Path folder = temporary.resolve("tables");
         try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1, FleetJob.settings(folder, 60_000))) {

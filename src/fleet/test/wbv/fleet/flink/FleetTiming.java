@@ -47,8 +47,8 @@ final class FleetTiming {
         for (int round = 0; round < 3; round++) {
             double one = embedded(size);
             double other = flink(size);
-            System.out.printf(Locale.ROOT, "%d samples a packet: one process %.2f us, Flink %.2f us a sample: %.2f times%n", size, one, other,
-                    other / one);
+            System.out.printf(Locale.ROOT, "%d samples a packet: one process %.2f us, Flink %.2f us a sample: %.2f times%n", size, one,
+                    other, other / one);
         }
         System.exit(0);
     }

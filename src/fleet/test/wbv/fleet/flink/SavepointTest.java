@@ -125,8 +125,9 @@ class SavepointTest {
      * What was kept when this form was made is gone on with: each seat tells what it had not told, with all counts what they would have
      * been, and numbers as good as the same, since their arithmetic may have become another.
      */
+    // The weighting of form 1 ended at 27 Hz, that which goes on with it does not: 2.3e-3 of an r.m.s., twice that of a time.
     @ParameterizedTest
-    @CsvSource({"v2, 1e-3", "v1, 5e-3"})   // the weighting of form 1 ended at 27 Hz, that which goes on with it does not: 2.3e-3 of an r.m.s., twice that of a time
+    @CsvSource({"v2, 1e-3", "v1, 5e-3"})
     void theGoldenSavepointIsGoneOnWith(String form, double tolerance) throws Exception {
         Path kept = GOLDEN.resolveSibling("savepoint-" + form);
         FleetOrder order = golden();
@@ -166,7 +167,9 @@ class SavepointTest {
         return order(4, 20);
     }
 
-    /** Makes the golden savepoint of the form as it is now. Never again under the same name. What is told goes nowhere: files have places. */
+    /**
+     * Makes the golden savepoint of the form as it is now. Never again under the same name. What is told goes nowhere: files have places.
+     */
     public static void main(String[] words) throws Exception {
         Path parts = Files.createTempDirectory("golden");
         JobClient job = begin(golden(), parts, 1, 1, 20, Optional.empty(), told -> {

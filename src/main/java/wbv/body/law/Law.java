@@ -50,7 +50,10 @@ public sealed interface Law permits
         return 0;
     }
 
-    /** What its force is multiplied by beside the motion of its own link; the multiplication is the law's own, by {@link LinkMotion#modulation}. */
+    /**
+     * What its force is multiplied by beside the motion of its own link; the multiplication is the law's own, by
+     * {@link LinkMotion#modulation}.
+     */
     default Modulator modulator() {
         return Modulator.NONE;
     }

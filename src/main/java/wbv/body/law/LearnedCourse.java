@@ -7,10 +7,13 @@ import wbv.body.number.Shape;
 import wbv.body.number.Units;
 
 /**
- * A term of a law that was learned and comes, goes or changes once: coefficient · shape · course, where the course is 0 at the beginning of the
- * recording.
+ * A term of a law that was learned and comes, goes or changes once: coefficient · shape · course, where the course is 0 at the beginning of
+ * the recording.
  *
- * @param shape what it goes by @param course in time @param coefficient [N per the shape's unit] @param time of a step, or time constant [s], &gt; 0
+ * @param shape what it goes by
+ * @param course in time
+ * @param coefficient [N per the shape's unit]
+ * @param time of a step, or time constant [s], &gt; 0
  */
 public record LearnedCourse(@Key("shape") Shape shape, @Key("course") Course course, @Key("coefficient_N") double coefficient, @Key("time_s") double time)
         implements Learned {

@@ -4,8 +4,8 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 
 /**
- * A term of a law that was learned: a force on the relative acceleration of a link's ends (inerter: Smith 2002), by the trapezoidal rule. Memory is
- * the velocity that the link would have half-way through the step if its acceleration did not change.
+ * A term of a law that was learned: a force on the relative acceleration of a link's ends (inerter: Smith 2002), by the trapezoidal rule.
+ * Memory is the velocity that the link would have half-way through the step if its acceleration did not change.
  *
  * @param inertance [kg]
  */

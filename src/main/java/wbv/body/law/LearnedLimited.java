@@ -8,8 +8,8 @@ import wbv.body.number.Shape;
 import wbv.body.number.Units;
 
 /**
- * A term of a law that was learned, with a modulator that works only so far: coefficient · shape · limit tanh(modulator/limit). Beyond what was recorded
- * it goes nowhere, where the modulator itself might turn a stiffness over.
+ * A term of a law that was learned, with a modulator that works only so far: coefficient · shape · limit tanh(modulator/limit). Beyond what
+ * was recorded it goes nowhere, where the modulator itself might turn a stiffness over.
  *
  * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
  * @param limit of the modulator, in its unit, &gt; 0

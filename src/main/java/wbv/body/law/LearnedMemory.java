@@ -48,6 +48,7 @@ public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key
     @Override
     public double remember(LinkMotion m) {
         double decay = Math.exp(-m.step / memory);
-        return m.memory * decay + (1 - decay) * of.of((m.before + m.displacement) / 2, (m.displacement - m.before) / m.step);   // half-way through the step
+        // Half-way through the step.
+        return m.memory * decay + (1 - decay) * of.of((m.before + m.displacement) / 2, (m.displacement - m.before) / m.step);
     }
 }

@@ -5,10 +5,16 @@ import wbv.body.number.Key;
 import wbv.body.number.Modulator;
 
 /**
- * A link whose stiffness or damping goes by a measured channel, the position of a roller, a coil's voltage, a temperature: {@code 1 + a u + b u² + c u³ + d u⁴}
- * times the link's own, which is what it is in the middle of the channel's range, and nowhere below 3 % of that.
+ * A link whose stiffness or damping goes by a measured channel, the position of a roller, a coil's voltage, a temperature:
+ * {@code 1 + a u + b u² + c u³ + d u⁴} times the link's own, which is what it is in the middle of the channel's range, and nowhere below 3
+ * % of that.
  *
- * @param of what goes by the channel @param by u, a {@link Modulator.Level} @param linear a [1] @param square b [1] @param cube c [1] @param fourth d [1]
+ * @param of what goes by the channel
+ * @param by u, a {@link Modulator.Level}
+ * @param linear a [1]
+ * @param square b [1]
+ * @param cube c [1]
+ * @param fourth d [1]
  */
 public record ScheduledLink(@Key("of") Of of, @Key("modulator") Modulator by, @Key("linear_change") double linear, @Key("square_change") double square,
                             @Key("cube_change") double cube, @Key("fourth_change") double fourth) implements Law {

@@ -48,8 +48,8 @@ public sealed interface Modulator {
     }
 
     /**
-     * Where a channel stands in a range, -1 at its low end and 1 at its high end, and no farther beyond: as it was recorded, nothing removed, straight between
-     * its samples.
+     * Where a channel stands in a range, -1 at its low end and 1 at its high end, and no farther beyond: as it was recorded, nothing
+     * removed, straight between its samples.
      *
      * @param low end of the range, in the channel's unit @param high likewise, above it
      */
@@ -130,7 +130,11 @@ public sealed interface Modulator {
         }
     }
 
-    /** How hard the base was shaken of late: root mean square acceleration that is forgotten exponentially. @param seconds time constant, &gt; 0 */
+    /**
+     * How hard the base was shaken of late: root mean square acceleration that is forgotten exponentially.
+     *
+     * @param seconds time constant, &gt; 0
+     */
     record Ride(double seconds) implements Modulator {
         public Ride {
             Check.positive("memory of the ride", "s", seconds);
@@ -232,8 +236,10 @@ public sealed interface Modulator {
         if (ride.matches()) {
             return new Ride(number(text, ride.group(1)));
         }
-        throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'level of' one 'from 0 to 5', 'lean of' one acceleration 'from' another, "
-                + "'ride over 4 s', 'load', 'deflection' or 'speed of link 2', and 'magnitude', 'positive part' or 'negative part of the' same");
+        throw new IllegalArgumentException("'" + text
+                + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'level of' one 'from 0 to 5', 'lean of' one "
+                + "acceleration 'from' another, 'ride over 4 s', 'load', 'deflection' or 'speed of link 2', and 'magnitude', 'positive "
+                + "part' or 'negative part of the' same");
     }
 
     private static double number(String text, String word) {

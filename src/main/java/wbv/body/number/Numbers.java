@@ -44,8 +44,8 @@ public final class Numbers {
     }
 
     /**
-     * A record from arguments in the order of its components. What it refuses, it refuses with its own {@link IllegalArgumentException}. Arrays are not
-     * modified.
+     * A record from arguments in the order of its components. What it refuses, it refuses with its own {@link IllegalArgumentException}.
+     * Arrays are not modified.
      */
     public static <T> T create(Class<T> type, Class<?>[] types, Object[] arguments) {
         try {

@@ -165,7 +165,12 @@ final class BeyondFirstOrder {
         return grid.spectrum(out);
     }
 
-    /** Adds what the whole angles do to a link at a point. @param carried by it to first order, by sample @param out by coordinate and sample. Modified. */
+    /**
+     * Adds what the whole angles do to a link at a point.
+     *
+     * @param carried by it to first order, by sample
+     * @param out by coordinate and sample. Modified.
+     */
     private void pull(Joint joint, double[] carried, double[][] out) {
         Rigid over = plane.bodies().get(joint.upper());
         boolean grounded = joint.lower() < 0;

@@ -129,7 +129,9 @@ final class CarriedSlopes {
     /**
      * One step.
      *
-     * @param old the whole state before it, in modal coordinates @param last law forces before it @param now law forces after it. None modified.
+     * @param old the whole state before it, in modal coordinates
+     * @param last law forces before it
+     * @param now law forces after it. None modified.
      * @param j   sample before the step
      */
     void step(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {

@@ -51,7 +51,10 @@ public final class Excitation {
     private final boolean unit;
     private final SolvedLines solved;
     private final boolean forced;
-    /** Spectrum of the straight line and the mean of the base's measured position, which have no acceleration; empty where acceleration or velocity was measured. */
+    /**
+     * Spectrum of the straight line and the mean of the base's measured position, which have no acceleration; empty where acceleration or
+     * velocity was measured.
+     */
     private final double[][] track;
     /** The channels as they were recorded. Not modified. */
     private final Map<Channel, double[]> recorded;
@@ -70,7 +73,12 @@ public final class Excitation {
         this(rate, new double[][] {base}, others);
     }
 
-    /** A base that moves along several axes. @param base its accelerations, by axis and sample, finite. Not modified. @param others likewise */
+    /**
+     * A base that moves along several axes.
+     *
+     * @param base its accelerations, by axis and sample, finite. Not modified.
+     * @param others likewise
+     */
     public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
         this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
     }
@@ -131,7 +139,8 @@ public final class Excitation {
 
     /**
      * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
-     * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
+     * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's
+     * velocity or position is turned into its acceleration; measured forces leave the base at rest.
      *
      * @param samples how much of the recording, from its start
      * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
@@ -153,18 +162,18 @@ public final class Excitation {
         Excitation still = new Excitation(rate, new double[samples], Map.of());
         List<Moved> moved = model.base().sensors().stream().map(sensor -> still.moved(recording, sensor, sensor.equals(input))).toList();
         boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
-        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
-                Math.max(2, finer(rate)), Optional.empty(), false);
-        return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new), moved.stream().map(Moved::track).toArray(double[][]::new),
-                plain.others, plain.recorded, false);
+        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others,
+                filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
+        return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new),
+                moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false);
     }
 
     /** How the base moves along an axis. @param acceleration its spectrum @param track see {@link Excitation#track} */
     private record Moved(double[] acceleration, double[] track) { }
 
     /**
-     * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes, whose rates and angles
-     * other sensors read too, what integrates back to what was read: with a smooth return in the silence.
+     * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes,
+     * whose rates and angles other sensors read too, what integrates back to what was read: with a smooth return in the silence.
      */
     private Moved moved(Recording recording, Channel sensor, boolean first) {
         double[] moved = bridged(recording.values(sensor));
@@ -177,8 +186,8 @@ public final class Excitation {
     }
 
     /**
-     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration, so that no jump is left
-     * there; where positions are read it comes back.
+     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration, so that
+     * no jump is left there; where positions are read it comes back.
      */
     private Moved derived(double[] moved, Quantity quantity) {
         int last = moved.length - 1;
@@ -228,8 +237,9 @@ public final class Excitation {
     }
 
     /**
-     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the polynomial
-     * through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight line.
+     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the
+     * polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight
+     * line.
      *
      * @param x Not modified.
      */

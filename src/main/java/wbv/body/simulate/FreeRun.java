@@ -16,9 +16,9 @@ import wbv.body.law.LinkMotion;
  * derivative of every law force to every parameter is carried along: those of the structure ({@link Structure#parameters}) where
  * they are asked for, then those of the laws in their order.
  *
- * <p>A force is straight within a step, which one that jumps is not: where friction turns round, half a step of it is an impulse that a mass on a spring
- * forgets and a mass that only friction holds carries along. In parts, a step in which a force jumps is gone through again in many short ones, and what is
- * told of the force at its two ends is what has the same impulse at the same time.
+ * <p>A force is straight within a step, which one that jumps is not: where friction turns round, half a step of it is an impulse that a
+ * mass on a spring forgets and a mass that only friction holds carries along. In parts, a step in which a force jumps is gone through again
+ * in many short ones, and what is told of the force at its two ends is what has the same impulse at the same time.
  *
  * <p>Not for several threads at once.
  */
@@ -36,8 +36,8 @@ public final class FreeRun {
     /** Parts of a step in which a force jumps. */
     private static final int PARTS = 8;
     /**
-     * How often such a step, and the part of it in which the force still jumps, is divided: where springs hold all masses, and where they do not and a jump
-     * has to be timed to a 512th of a step.
+     * How often such a step, and the part of it in which the force still jumps, is divided: where springs hold all masses, and where they
+     * do not and a jump has to be timed to a 512th of a step.
      */
     private static final int DIVISIONS = 1;
     private static final int DIVISIONS_OF_FREE = 3;

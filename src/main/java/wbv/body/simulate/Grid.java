@@ -11,7 +11,12 @@ final class Grid {
     private final int factor;
     private final int lines;
 
-    /** @param padded samples of the record with the silence after it @param samples of the record alone @param lines kept @param factor samples here for each of the record */
+    /**
+     * @param padded samples of the record with the silence after it
+     * @param samples of the record alone
+     * @param lines kept
+     * @param factor samples here for each of the record
+     */
     Grid(int padded, int samples, int lines, int factor) {
         this.dft = new RealDft(padded * factor);
         this.padded = padded * factor;

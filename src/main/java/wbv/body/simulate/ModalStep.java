@@ -7,8 +7,9 @@ import wbv.body.Row;
 import wbv.body.Structure;
 
 /**
- * The exact step of a structure's linear part in modal coordinates, where a row of it has two numbers at most and not as many as there are states. What
- * a force in a link does in the step at whose end it is found is added in the next, so that a state as kept here lacks it: x = y + Σ after f.
+ * The exact step of a structure's linear part in modal coordinates, where a row of it has two numbers at most and not as many as there are
+ * states. What a force in a link does in the step at whose end it is found is added in the next, so that a state as kept here lacks it: x =
+ * y + Σ after f.
  *
  * <p>Flat arrays and plain loops: a free run takes this step for every fine sample.
  */
@@ -94,7 +95,8 @@ final class ModalStep {
      * The state as kept at the end of a step.
      *
      * @param y         at its start @param forces of the laws at its start. Not modified.
-     * @param base      acceleration of the base [m/s²], by axis and sample @param known forces on the bodies [N], by body and sample. Not modified.
+     * @param base      acceleration of the base [m/s²], by axis and sample
+     * @param known forces on the bodies [N], by body and sample. Not modified.
      * @param j         sample at its start @param out Modified.
      */
     void advance(double[] y, double[] forces, double[][] base, double[][] known, int j, double[] out) {

@@ -13,8 +13,8 @@ final class Modulations {
     /** Below, what the integral of a gyroscope's wandering offset makes is more than any turn [Hz]. */
     private static final double SLOWEST_TURN = 0.03;
     /**
-     * Below, what two integrals make of an accelerometer's noise is more than any sway [Hz]: from there on 200 µg/√Hz in each of two sensors make a
-     * quarter of a millimetre.
+     * Below, what two integrals make of an accelerometer's noise is more than any sway [Hz]: from there on 200 µg/√Hz in each of two
+     * sensors make a quarter of a millimetre.
      */
     private static final double LOWEST = 0.3;
     /** What another link does depends on the motion that depends on it: so often it is worked out anew. */
@@ -74,7 +74,9 @@ final class Modulations {
         return ride(((Modulator.Ride) modulator).seconds());
     }
 
-    /** A channel without its mean, which is its sensor's offset as likely as not: over a record with silence behind it that would be a blow. */
+    /**
+     * A channel without its mean, which is its sensor's offset as likely as not: over a record with silence behind it that would be a blow.
+     */
     private double[] centred(Channel channel) {
         double[] series = excitation.series(excitation.other(channel));
         double mean = Arrays.stream(series).average().orElse(0);

@@ -7,8 +7,8 @@ import wbv.body.Assembly;
 import wbv.body.number.Modulator;
 
 /**
- * What modulates laws where an assembly moves, at the free run's rate: every series is worked out once, and the assembly runs once, when a modulator
- * first goes by one of its links. Threads may share it.
+ * What modulates laws where an assembly moves, at the free run's rate: every series is worked out once, and the assembly runs once, when a
+ * modulator first goes by one of its links. Threads may share it.
  */
 public final class ModulatorSeries {
 

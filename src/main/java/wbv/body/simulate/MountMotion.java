@@ -2,7 +2,10 @@ package wbv.body.simulate;
 
 import wbv.body.SensorFault;
 
-/** How a sensor moves on a mount that stiffens, step by step (Runge and Kutta's fourth order), and how that answers to what changes a little. */
+/**
+ * How a sensor moves on a mount that stiffens, step by step (Runge and Kutta's fourth order), and how that answers to what changes a
+ * little.
+ */
 final class MountMotion {
 
     /** Largest step over a radian of the mount [rad]. */
@@ -52,7 +55,11 @@ final class MountMotion {
         return -a - loss * v - spring * x * (1 + cubic * x * x);
     }
 
-    /** What the sensor reads more where what it sits on accelerates a little more: exact, as every stage of a step is followed. @param more by sample [m/s²]. Not modified. */
+    /**
+     * What the sensor reads more where what it sits on accelerates a little more: exact, as every stage of a step is followed.
+     *
+     * @param more by sample [m/s²]. Not modified.
+     */
     double[] answer(double[] a, double[] more) {
         double[] out = new double[a.length];
         double x = 0;

@@ -14,7 +14,12 @@ final class Sensing {
         this.excitation = excitation;
     }
 
-    /** What a sensor of an assembly reports. @param slopes as for {@link #apply}. Modified. @param from parameter that the first of them is to */
+    /**
+     * What a sensor of an assembly reports.
+     *
+     * @param slopes as for {@link #apply}. Modified.
+     * @param from parameter that the first of them is to
+     */
     double[] report(Assembly assembly, int output, double[] reading, double[][] slopes, int from) {
         double[] out = reading;
         int fault = assembly.faultIndex(output, 0) - from;
@@ -25,7 +30,10 @@ final class Sensing {
         return out;
     }
 
-    /** The part of a report that the sensor's other channels make, as they were recorded: late as they are, however late the sensor is. Empty where there is none. */
+    /**
+     * The part of a report that the sensor's other channels make, as they were recorded: late as they are, however late the sensor is.
+     * Empty where there is none.
+     */
     double[] recorded(Assembly assembly, int output) {
         double[] out = new double[0];
         for (SensorFault each : assembly.outputs().get(output).faults()) {

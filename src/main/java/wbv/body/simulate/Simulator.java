@@ -25,7 +25,10 @@ public final class Simulator {
     /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
     private static final double LEAST = 1e-3;
 
-    /** What may be left of the motion's accelerations when what goes beyond small motions is found: a hundredth of what sensors of a hundredth's noise hide. */
+    /**
+     * What may be left of the motion's accelerations when what goes beyond small motions is found: a hundredth of what sensors of a
+     * hundredth's noise hide.
+     */
     private static final double UNBENT = 1e-4;
     /** Rounds in which it is found at most: one that moves by a tenth of itself leaves a tenth of the one before. */
     private static final int BENDS = 6;
@@ -56,15 +59,17 @@ public final class Simulator {
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
      * @param bends    what goes beyond small motions; empty where nothing does
-     * @param recorded part of each output that its sensor's other channels make, as they were recorded: late as they are; empty where they make none
+     * @param recorded part of each output that its sensor's other channels make, as they were recorded: late as they are; empty where they
+     *                 make none
      */
-    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged, Optional<Bends> bends,
-                           double[][] recorded) { }
+    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged,
+            Optional<Bends> bends, double[][] recorded) {}
 
     /**
      * What goes beyond small motions in a motion, hundredths of it: what it does to the bodies, and what sensors read of it.
      *
-     * @param forces on the coordinates beside those of first order [N, N m], spectra @param readings spectra by output; empty where nothing. None copied
+     * @param forces on the coordinates beside those of first order [N, N m], spectra
+     * @param readings spectra by output; empty where nothing. None copied
      */
     public record Bends(double[][] forces, double[][] readings) { }
 
@@ -73,7 +78,11 @@ public final class Simulator {
         return run(assembly, sensitivities, Optional.empty());
     }
 
-    /** The same with what goes beyond small motions as it was found for an assembly nearby, which is most of the work. @param bends empty: found anew */
+    /**
+     * The same with what goes beyond small motions as it was found for an assembly nearby, which is most of the work.
+     *
+     * @param bends empty: found anew
+     */
     public Response run(Assembly assembly, boolean sensitivities, Optional<Bends> bends) {
         return run(assembly, Sensitivities.all(sensitivities), bends);
     }
@@ -113,7 +122,8 @@ public final class Simulator {
     }
 
     /**
-     * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by output.
+     * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by
+     * output.
      *
      * @param axis along which @param as as which; the same for what it did
      */
@@ -129,9 +139,10 @@ public final class Simulator {
     }
 
     /**
-     * The linear assembly that comes nearest in the motion of this excitation: each law that is not linear gives way to the stiffness and the
-     * damping that make up for most of its force (equivalent linearisation, Caughey 1963). What acts beside the excitation and is small, such as
-     * noise, meets these and not the stiffness at rest. The assembly itself where all is linear, or where its run leaves all bounds.
+     * The linear assembly that comes nearest in the motion of this excitation: each law that is not linear gives way to the stiffness and
+     * the damping that make up for most of its force (equivalent linearisation, Caughey 1963). What acts beside the excitation and is
+     * small, such as noise, meets these and not the stiffness at rest. The assembly itself where all is linear, or where its run leaves all
+     * bounds.
      */
     public Assembly equivalent(Assembly assembly) {
         if (assembly.laws().stream().allMatch(at -> at.law().isLinear()) || assembly.structure().held()) {
@@ -158,7 +169,12 @@ public final class Simulator {
         return new Assembly(assembly.structure().with(values), linear, assembly.drives(), assembly.outputs());
     }
 
-    /** What the links of an assembly do where it has moved. @param stretch by link @param forces by law; none counts where there are none */
+    /**
+     * What the links of an assembly do where it has moved.
+     *
+     * @param stretch by link
+     * @param forces by law; none counts where there are none
+     */
     record Moved(Assembly assembly, double[][] stretch, double[][] forces, double[] omega) implements Modulations.Links {
         @Override
         public double[] load(int link) {
@@ -283,8 +299,8 @@ public final class Simulator {
         }
 
         /**
-         * Adds what goes beyond small motions, as the motion makes it: a part of some hundredths of it, found again with what it changes of itself.
-         * Derivatives, and what laws that are not linear carry, stay those of small motions.
+         * Adds what goes beyond small motions, as the motion makes it: a part of some hundredths of it, found again with what it changes of
+         * itself. Derivatives, and what laws that are not linear carry, stay those of small motions.
          */
         private Bends bend(Plane plane) {
             double[][] small = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
@@ -311,7 +327,10 @@ public final class Simulator {
                     .orElseGet(() -> new double[0])).toArray(double[][]::new));
         }
 
-        /** Square root of the energy of acceleration, the mass times the square of the acceleration (Appell 1900), of what a motion has beside another. */
+        /**
+         * Square root of the energy of acceleration, the mass times the square of the acceleration (Appell 1900), of what a motion has
+         * beside another.
+         */
         private double accelerating(double[][] motion, double[][] beside) {
             double[] omega = excitation.omega();
             double sum = 0;
@@ -469,7 +488,11 @@ public final class Simulator {
                     : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
         }
 
-        /** What modulates each law: loads as the motion makes them that they make. @param known forces on the bodies at the free run's rate */
+        /**
+         * What modulates each law: loads as the motion makes them that they make.
+         *
+         * @param known forces on the bodies at the free run's rate
+         */
         private double[][] modulations(double[][] known) {
             Modulations modulations = new Modulations(excitation);
             double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
@@ -517,7 +540,9 @@ public final class Simulator {
             return series;
         }
 
-        /** Momentum that a drive gives its body at the start [N s], or its derivative to a parameter (-1: itself); 0 for all other drives. */
+        /**
+         * Momentum that a drive gives its body at the start [N s], or its derivative to a parameter (-1: itself); 0 for all other drives.
+         */
         private double launch(int d, int parameter) {
             Assembly.DriveAt at = assembly.drives().get(d);
             if (!(at.drive() instanceof Drive.Launch launch)) {

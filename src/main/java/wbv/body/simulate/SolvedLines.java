@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import wbv.body.Structure;
 
 /**
- * The last structures that were solved at the lines of an excitation, so that what asks again for one of them, such as one hypothesis after the
- * other on the same linear part, need not solve it again. For several threads.
+ * The last structures that were solved at the lines of an excitation, so that what asks again for one of them, such as one hypothesis after
+ * the other on the same linear part, need not solve it again. For several threads.
  */
 final class SolvedLines {
 

@@ -28,11 +28,17 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * What is asked.
      *
-     * @param hardware the seat @param floors under it @param sitters on it @param families of controllers, {@link ControllerFamily#SKYHOOK} is added
-     * @param jolt every 10 s [m/s²], 0 for none @param settle ridden but not judged [s] @param seconds judged [s] @param seed of floor and sensors
+     * @param hardware the seat
+     * @param floors under it
+     * @param sitters on it
+     * @param families of controllers, {@link ControllerFamily#SKYHOOK} is added
+     * @param jolt every 10 s [m/s²], 0 for none
+     * @param settle ridden but not judged [s]
+     * @param seconds judged [s]
+     * @param seed of floor and sensors
      */
-    public record Request(SeatHardware hardware, List<Floor> floors, List<Subject> sitters, List<ControllerFamily> families, double jolt, double settle,
-                          double seconds, long seed) {
+    public record Request(SeatHardware hardware, List<Floor> floors, List<Subject> sitters, List<ControllerFamily> families, double jolt,
+            double settle, double seconds, long seed) {
 
         public Request {
             floors = List.copyOf(floors);
@@ -94,7 +100,12 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
     }
 
-    /** How much of the floor reaches the pan. Arrays are not copied. @param frequency [Hz] @param modulus of seat pan over floor, NaN where the floor tells nothing */
+    /**
+     * How much of the floor reaches the pan. Arrays are not copied.
+     *
+     * @param frequency [Hz]
+     * @param modulus of seat pan over floor, NaN where the floor tells nothing
+     */
     public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) { }
 
     /** Runs it, one ride after the other. @param progress hears shares from 0 to 1 */
@@ -152,8 +163,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
     private static Transmissibility transmissibility(Request request, Maker maker, Entrant entrant, double tuning) {
         double rate = SeatController.RATE;
         CrossSpectrum spectrum = new CrossSpectrum(Segmentation.lasting(rate, Math.min(4, request.seconds() / 2)), Detrend.MEAN, 1);
-        new SeatTrial(request.hardware(), ride(request, maker.floor(), request.sitters().get(0))).run(maker, entrant.family(), entrant.knowledge(), tuning,
-                (time, floor, seat, deflection, weightedSeat, weightedFloor) -> spectrum.accept(floor, seat));
+        new SeatTrial(request.hardware(), ride(request, maker.floor(), request.sitters().get(0))).run(maker, entrant.family(),
+                entrant.knowledge(), tuning, (time, floor, seat, deflection, weightedSeat, weightedFloor) -> spectrum.accept(floor, seat));
         FrequencyResponse response = spectrum.response(0, FrequencyResponse.Excited.USUAL);
         double enough = SHAKEN * Arrays.stream(response.inputDensity()).max().orElse(0);
         List<Integer> bins = new ArrayList<>();
@@ -195,8 +206,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
     }
 
     /**
-     * A family's scheduled controllers, or fixed ones where it knows no sitter, beside the skyhook at the stroke that that takes: rides that
-     * count, those with more than 1.02 times its SEAT, and the greatest ratio.
+     * A family's scheduled controllers, or fixed ones where it knows no sitter, beside the skyhook at the stroke that that takes: rides
+     * that count, those with more than 1.02 times its SEAT, and the greatest ratio.
      */
     public Beside besideSkyhook(ControllerFamily family) {
         Knowledge knowledge = family.knowledge().contains(Knowledge.SCHEDULED) ? Knowledge.SCHEDULED : Knowledge.FIXED;
@@ -211,10 +222,23 @@ public record Comparison(Request request, List<OnFloor> floors) {
                 ratios.stream().mapToDouble(Double::doubleValue).max().orElse(Double.NaN));
     }
 
-    /** A controller beside the fixed skyhook. @param rides that count @param worse with more than 1.02 times the skyhook's SEAT @param worst greatest ratio */
+    /**
+     * A controller beside the fixed skyhook.
+     *
+     * @param rides that count
+     * @param worse with more than 1.02 times the skyhook's SEAT
+     * @param worst greatest ratio
+     */
     public record Beside(int rides, int worse, double worst) { }
 
-    /** What knowing the sitter is worth at equal stroke. @param fixed mean SEAT of the fixed controller @param scheduled how much less the scheduled one has @param oracle likewise @param rides that count */
+    /**
+     * What knowing the sitter is worth at equal stroke.
+     *
+     * @param fixed mean SEAT of the fixed controller
+     * @param scheduled how much less the scheduled one has
+     * @param oracle likewise
+     * @param rides that count
+     */
     public record Gain(double fixed, double scheduled, double oracle, int rides) {
 
         /** One sentence. */

@@ -29,8 +29,9 @@ public record Endurance(Map<String, Case> cases) {
 
     /** What is drawn. */
     private enum Fault {
-        LOSS("30 % of all readings lost"), FLOOR("floor sensor silent"), FRAME("frame sensor silent"), DEFLECTION("deflection sensor silent"),
-        SPRING("spring force silent"), TRUNK("worn sensor silent"), DELAY("10 ms more delay"), LOW("told half the mass, frequency and damping"),
+        LOSS("30 % of all readings lost"), FLOOR("floor sensor silent"), FRAME("frame sensor silent"),
+        DEFLECTION("deflection sensor silent"), SPRING("spring force silent"), TRUNK("worn sensor silent"), DELAY("10 ms more delay"),
+        LOW("told half the mass, frequency and damping"),
         HIGH("told 1.5 times the mass, frequency and damping"), CHANGE("sitter changes from 75 to 55 kg");
 
         private final String words;

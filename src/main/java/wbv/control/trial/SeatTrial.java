@@ -150,9 +150,9 @@ public final class SeatTrial {
             double mean = deflectionSum / n;
             boolean believes = controller instanceof OptimalSeat;
             return new TrialResult(Math.sqrt(seatSquare / floorSquare), Math.sqrt(headSquare / floorSquare),
-                    Math.sqrt(Math.max(0, deflectionSquare / n - mean * mean)), most, seat.hits() - hitsBefore, work / n, Math.sqrt(forceSquare / n),
-                    Math.sqrt(floorSquare / n), believes ? source.rigid() + source.moving() : Double.NaN, believes ? source.frequency() : Double.NaN,
-                    believes ? source.damping() : Double.NaN);
+                    Math.sqrt(Math.max(0, deflectionSquare / n - mean * mean)), most, seat.hits() - hitsBefore, work / n,
+                    Math.sqrt(forceSquare / n), Math.sqrt(floorSquare / n), believes ? source.rigid() + source.moving() : Double.NaN,
+                    believes ? source.frequency() : Double.NaN, believes ? source.damping() : Double.NaN);
         }
 
         private double[] floor(int settle, int judged) {

@@ -73,8 +73,10 @@ public final class Admission {
             best = own.share() > best.share() ? own : best;
         }
         if (best.share() < LEAST_COHERENCE || !best.isSure()) {
-            throw fault("%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f beyond what chance gives, "
-                    + "at least %.2f is needed; is it the right input, in the same time?", input, Math.max(0, best.share()),
+            throw fault(
+                    "%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f beyond what chance "
+                            + "gives, at least %.2f is needed; is it the right input, in the same time?",
+                    input, Math.max(0, best.share()),
                     Math.max(LEAST_COHERENCE, best.sure()));
         }
     }

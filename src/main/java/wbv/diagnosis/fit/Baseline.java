@@ -20,7 +20,9 @@ public final class Baseline {
     private static final double SPRING = 2;
     private static final double MASS = 0.15;
     private static final double FARTHEST = 3.2;
-    /** A person's segments are known better than stiffness, which a softening spring shows ten times too small: two thirds heavier at most. */
+    /**
+     * A person's segments are known better than stiffness, which a softening spring shows ten times too small: two thirds heavier at most.
+     */
     private static final double FARTHEST_MASS = 0.5;
 
     /** Loss factor of a link, and how many times that at most where none was given. */
@@ -123,7 +125,8 @@ public final class Baseline {
                 drives.add(new Assembly.DriveAt(b, new Drive.Launch(0)));
             }
         }
-        // A link's force may well be offset by its preload, and where an encoder counts from is anybody's choice; another motion sensor's reading hardly is.
+        // A link's force may well be offset by its preload, and where an encoder counts from is anybody's choice; another motion sensor's
+        // reading hardly is.
         List<Assembly.Output> outputs = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);

@@ -73,7 +73,9 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return bands.power(frequency);
     }
 
-    /** The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do. */
+    /**
+     * The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do.
+     */
     public static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
         return in(evidence, state, false);
     }

@@ -7,7 +7,8 @@ import wbv.signal.Segmentation;
 
 /**
  * How much of one series goes with another, averaged over frequency, without what chance gives: of n independent segments that have nothing
- * to do with each other the coherence is 1/n in the mean and (n-1)/(n²(n+1)) in variance (Bendat and Piersol, Random Data, 2010, section 9.2.3).
+ * to do with each other the coherence is 1/n in the mean and (n-1)/(n²(n+1)) in variance (Bendat and Piersol, Random Data, 2010, section
+ * 9.2.3).
  *
  * @param share 1 for all, 0 in the mean where there is no relation, then below 0 as often as above
  * @param deviation standard deviation of the share where there is no relation

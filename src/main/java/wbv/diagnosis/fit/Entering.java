@@ -1,7 +1,8 @@
 package wbv.diagnosis.fit;
 
 /**
- * What a fit leaves, taken for something that enters along one direction: any signal, of which the direction says what it does to each output.
+ * What a fit leaves, taken for something that enters along one direction: any signal, of which the direction says what it does to each
+ * output.
  *
  * @param signal   likeliest spectrum of it, at the lines of the fit's window
  * @param variance of the real and of the imaginary part of each line, by the noise

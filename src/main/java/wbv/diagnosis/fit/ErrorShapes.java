@@ -17,7 +17,10 @@ import wbv.signal.Differentiator;
  */
 record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
-    /** The errors of all sensors of acceleration and rates among the outputs, of a rig of all, and the delay of the input's, as series; none of what was computed. */
+    /**
+     * The errors of all sensors of acceleration and rates among the outputs, of a rig of all, and the delay of the input's, as series; none
+     * of what was computed.
+     */
     static ErrorShapes of(Evidence evidence) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         double step = evidence.recording().clock().step();
@@ -59,7 +62,8 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     }
 
     private void addSensor(Evidence evidence, int o, double[] slope) {
-        // A gain that all sensors have in common is the same as all numbers of a model that forces alone drive: there the first is what others are measured by.
+        // A gain that all sensors have in common is the same as all numbers of a model that forces alone drive: there the first is what
+        // others are measured by.
         if (o > 0 || evidence.model().base().sensor().isPresent()) {
             add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
         }

@@ -52,7 +52,11 @@ public final class Evidence {
         this(model, recording, OptionalDouble.empty());
     }
 
-    /** Evidence of which the last part is held out. @param stated standard deviation of a sample of every sensor of the outputs' kind, in its unit */
+    /**
+     * Evidence of which the last part is held out.
+     *
+     * @param stated standard deviation of a sample of every sensor of the outputs' kind, in its unit
+     */
     public Evidence(Model model, Recording recording, OptionalDouble stated) {
         this(model, recording, stated, OptionalDouble.empty());
     }
@@ -101,8 +105,8 @@ public final class Evidence {
         }
     }
 
-    private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored,
-                     Library library, Map<Channel, Double> heard) {
+    private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce,
+            List<Place> ignored, Library library, Map<Channel, Double> heard) {
         this.measured = measured;
         this.excitation = excitation;
         this.fit = fit;
@@ -119,8 +123,8 @@ public final class Evidence {
     }
 
     /**
-     * Whether the model is of a test rig, see {@link Model#subject}: then constants count, no band is known to be free of excitation, and no person's own
-     * force acts.
+     * Whether the model is of a test rig, see {@link Model#subject}: then constants count, no band is known to be free of excitation, and
+     * no person's own force acts.
      */
     public boolean onRig() {
         return measured.onRig();
@@ -247,7 +251,11 @@ public final class Evidence {
         return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored, library, heard);
     }
 
-    /** The same evidence, of a rig, with noise of the input's sensors. @param levels standard deviation of a sample, by sensor; the others have none but what is known beforehand */
+    /**
+     * The same evidence, of a rig, with noise of the input's sensors.
+     *
+     * @param levels standard deviation of a sample, by sensor; the others have none but what is known beforehand
+     */
     public Evidence with(Map<Channel, Double> levels) {
         return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, library, levels);
     }
@@ -279,13 +287,13 @@ public final class Evidence {
         int n = recording().length();
         int start = (int) Math.round(SETTLING * rate);
         int split = n - measured.split();
-        return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate),
-                bodyForce, ignored, library, heard);
+        return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate),
+                new Window(start, split - start, rate), bodyForce, ignored, library, heard);
     }
 
     /**
-     * A part of the fit's window that is shaken hard, to try on it what may not be worth the whole: empty where the window is hardly longer, or
-     * the ride has no such part. Time counts from its own start.
+     * A part of the fit's window that is shaken hard, to try on it what may not be worth the whole: empty where the window is hardly
+     * longer, or the ride has no such part. Time counts from its own start.
      */
     public Optional<Evidence> brief() {
         return known.brief(this::shaken);
@@ -422,7 +430,12 @@ public final class Evidence {
         return whitening.whiten(spectra);
     }
 
-    /** Simulated spectra times a factor, whitened like a residual. @param from what was simulated @param simulated by output. Not modified. */
+    /**
+     * Simulated spectra times a factor, whitened like a residual.
+     *
+     * @param from what was simulated
+     * @param simulated by output. Not modified.
+     */
     public double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
         double[][] spectra = new double[outputs().size()][];
         for (int o = 0; o < spectra.length; o++) {
@@ -441,8 +454,8 @@ public final class Evidence {
     }
 
     /**
-     * Takes the mean in a window from a person's rate or place, which no sensor of acceleration knows: where it began is nobody's error. What bodies
-     * that turn by whole angles feel has a mean, too, which is taken from the recorded.
+     * Takes the mean in a window from a person's rate or place, which no sensor of acceleration knows: where it began is nobody's error.
+     * What bodies that turn by whole angles feel has a mean, too, which is taken from the recorded.
      *
      * @param series of an output. Modified.
      */

@@ -59,13 +59,14 @@ public final class FittedScene {
         Model model = evidence.model();
         return new Scene(model, evidence.onRig(), fitted.structure(), IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
                 IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
-                evidence::across, evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(), lines,
-                evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep(), scene.schedules());
+                evidence::across, evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(),
+                lines, evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep(),
+                scene.schedules());
     }
 
     /**
-     * Channels by which links of a rig may go: across the motion, of a place where the model has no sensor, or of what only sets a rig and moves nothing; what is
-     * read along the motion may be what it makes. Levels count over the
+     * Channels by which links of a rig may go: across the motion, of a place where the model has no sensor, or of what only sets a rig and
+     * moves nothing; what is read along the motion may be what it makes. Levels count over the
      * stretch that is fitted, the range over all of the recording.
      */
     private List<Scene.Schedule> schedules() {

@@ -54,7 +54,12 @@ public final class Fitter {
         this.held = held;
     }
 
-    /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes derivatives that the response has */
+    /**
+     * What a candidate did at some numbers, which several fits need that begin there.
+     *
+     * @param x not a copy
+     * @param slopes derivatives that the response has
+     */
     public record Ran(Candidate candidate, double[] x, Sensitivities slopes, Simulator.Response response) {
         private boolean is(Candidate asked, double[] where) {
             return candidate == asked && Arrays.equals(x, where);
@@ -72,8 +77,8 @@ public final class Fitter {
     }
 
     /**
-     * The same fitter for what lies near a fit: what goes beyond small motions, which is most of the work, stays as it is there. Hypotheses are compared
-     * so before the best are fitted in full.
+     * The same fitter for what lies near a fit: what goes beyond small motions, which is most of the work, stays as it is there. Hypotheses
+     * are compared so before the best are fitted in full.
      */
     public Fitter about(State base) {
         return new Fitter(evidence, excitation, response(base.candidate(), base.x(), Sensitivities.NONE, Optional.empty()).flatMap(Simulator.Response::bends));
@@ -98,7 +103,11 @@ public final class Fitter {
      */
     public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes, Frame frame) {
 
-        /** Where a candidate cannot be simulated: its cost is infinite, all its arrays but x are empty. @param x not copied, not modified */
+        /**
+         * Where a candidate cannot be simulated: its cost is infinite, all its arrays but x are empty.
+         *
+         * @param x not copied, not modified
+         */
         public static State failed(Candidate candidate, double[] x, Frame frame) {
             double never = Double.POSITIVE_INFINITY;
             return new State(candidate, x, never, never, new double[0], new double[0], new double[0][], frame);
@@ -178,9 +187,10 @@ public final class Fitter {
     }
 
     /**
-     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well; where a model has many numbers, after the
-     * first set only those to what was added to it are worked out anew, and those to its own follow what the residual did, until that gains nothing more. What goes
-     * beyond small motions hardly moves with a step: it stays what it was where the fit began, and is found anew where it ends.
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well; where a model has many
+     * numbers, after the first set only those to what was added to it are worked out anew, and those to its own follow what the residual
+     * did, until that gains nothing more. What goes beyond small motions hardly moves with a step: it stays what it was where the fit
+     * began, and is found anew where it ends.
      *
      * @param start coordinates. Not modified. @param most iterations at most @param tolerance relative gain below which a fit ends
      */
@@ -188,7 +198,12 @@ public final class Fitter {
         return fit(candidate, start, frame, NO_SLOPES, most, tolerance);
     }
 
-    /** The same of a candidate that stands on a fit and begins there, whose derivatives serve first where it has any. @param start Not modified. @param base at the numbers where it begins */
+    /**
+     * The same of a candidate that stands on a fit and begins there, whose derivatives serve first where it has any.
+     *
+     * @param start Not modified.
+     * @param base at the numbers where it begins
+     */
     public State fit(Candidate candidate, double[] start, State base, int most, double tolerance) {
         return fit(candidate, start, base.frame(), isApart(candidate) ? base.slopes() : NO_SLOPES, most, tolerance);
     }
@@ -209,7 +224,11 @@ public final class Fitter {
         return whole.cost() < first.cost() ? whole : first;
     }
 
-    /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. @param start Not modified. */
+    /**
+     * The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there.
+     *
+     * @param start Not modified.
+     */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, Sensitivities.ALL, Optional.empty());
         return begun.map(response -> descended(state(candidate, start.clone(), frame, response, NO_SLOPES, true), true, response.bends(), most, tolerance))
@@ -257,7 +276,10 @@ public final class Fitter {
         return new Step(from, damping);
     }
 
-    /** Whether what was added to the user's model is all apart from its structure, as a hidden mass is not, and that has so many numbers that it counts. */
+    /**
+     * Whether what was added to the user's model is all apart from its structure, as a hidden mass is not, and that has so many numbers
+     * that it counts.
+     */
     private static boolean isApart(Candidate candidate) {
         int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
         return added > 0 && candidate.knobs().size() - added >= MANY && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
@@ -267,7 +289,9 @@ public final class Fitter {
         return candidate.index(knob) >= candidate.template().structure().parameters();
     }
 
-    /** More steps without new derivatives, as long as each gains a good part of what the one before it did: the equations where they end. */
+    /**
+     * More steps without new derivatives, as long as each gains a good part of what the one before it did: the equations where they end.
+     */
     private Normal farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
         Normal normal = earlier.followed(first);
         double gain = earlier.state().cost() - first.cost();
@@ -322,7 +346,10 @@ public final class Fitter {
         return Optional.of(response);
     }
 
-    /** @param known derivatives to the first of the structure's numbers, which count as they are @param slopes whether derivatives are asked for */
+    /**
+     * @param known derivatives to the first of the structure's numbers, which count as they are
+     * @param slopes whether derivatives are asked for
+     */
     private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, double[][] known, boolean slopes) {
         Nuisances small = frame.nuisances();
         boolean[] off = small.off(candidate);
@@ -342,7 +369,13 @@ public final class Fitter {
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), columns, frame);
     }
 
-    /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. @param c n by n @param g n @param held n. None is modified. */
+    /**
+     * (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are.
+     *
+     * @param c n by n
+     * @param g n
+     * @param held n. None is modified.
+     */
     public static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
         int n = g.length;
         int[] free = IntStream.range(0, n).filter(i -> !held[i]).toArray();

@@ -46,7 +46,8 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
     }
 
     private static ForceBands of(double[] edges, double[] power, int[] count, Window window) {
-        // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large one.
+        // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large
+        // one.
         double[] shown = power.clone();
         for (int i = edges.length - 2; i >= 0; i--) {
             if (edges[i] < SHOWN) {
@@ -61,7 +62,8 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
     }
 
     /**
-     * Power of a force by band, from estimates with noise: what a band and its neighbours show together, and its own the more the better it is known.
+     * Power of a force by band, from estimates with noise: what a band and its neighbours show together, and its own the more the better it
+     * is known.
      *
      * @param power of estimates that hold the noise's too @param count lines by band
      */

@@ -23,7 +23,11 @@ public final class Gram {
         return out;
     }
 
-    /** Products of vectors with each of some others, by other. @param vectors of the same length each, as the others. Neither is modified. */
+    /**
+     * Products of vectors with each of some others, by other.
+     *
+     * @param vectors of the same length each, as the others. Neither is modified.
+     */
     public static double[][] products(double[][] vectors, double[][] others) {
         double[][] out = new double[others.length][vectors.length];
         addProducts(vectors, others, false, out);
@@ -31,7 +35,8 @@ public final class Gram {
     }
 
     /**
-     * A block of all vectors is turned, so that the sums of one row run side by side: no sum waits for itself, and the machine adds several at once.
+     * A block of all vectors is turned, so that the sums of one row run side by side: no sum waits for itself, and the machine adds several
+     * at once.
      *
      * @param half whether of a row only what is left of the diagonal is asked @param out others by vectors, from 0. Modified.
      */

@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
 /**
- * What was found out about some evidence and is asked for again: answers are a matter of the evidence alone, whoever asks. Threads may share it; two
- * that ask at once both work, and find the same.
+ * What was found out about some evidence and is asked for again: answers are a matter of the evidence alone, whoever asks. Threads may
+ * share it; two that ask at once both work, and find the same.
  */
 public final class Known {
 
@@ -30,10 +30,21 @@ public final class Known {
         return once(base, fit);
     }
 
-    /** What is left while whatever enters at some places is ignored. @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
+    /**
+     * What is left while whatever enters at some places is ignored.
+     *
+     * @param places ignored
+     * @param x where the model fits then
+     * @param reduced what is left, of what still shows
+     */
     public record Ignoring(List<Place> places, double[] x, double reduced) { }
 
-    /** All places one by one. @param x where fits start, told by being the same array: kept and not modified. @param find works them out if nobody asked */
+    /**
+     * All places one by one.
+     *
+     * @param x where fits start, told by being the same array: kept and not modified.
+     * @param find works them out if nobody asked
+     */
     public List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {
         At at = new At(on, x);
         List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();

@@ -23,8 +23,8 @@ public final class Measured {
     public static final double FIT_SHARE = 0.7;
     private static final double SHORTEST = 15;
     /**
-     * Periods of a rig's slowest mode. One tells two numbers, an amplitude and a phase. A mode has three, an offset and a law beside it as many again:
-     * the three periods of the ten that are held out must tell them too.
+     * Periods of a rig's slowest mode. One tells two numbers, an amplitude and a phase. A mode has three, an offset and a law beside it as
+     * many again: the three periods of the ten that are held out must tell them too.
      */
     private static final double PERIODS_ON_A_RIG = 10;
     /** Samples of a rig: a band that noise is read from holds no line of blocks that are shorter than a quarter of them. */
@@ -113,7 +113,10 @@ public final class Measured {
         inputNoises = Stream.concat(Stream.of(first), model.base().further().stream().map(this::furtherNoise)).toList();
     }
 
-    /** The noise of a sensor of the base along a further axis; none on a rig, where a fit tells it, see {@link wbv.diagnosis.search.InputLevel}. */
+    /**
+     * The noise of a sensor of the base along a further axis; none on a rig, where a fit tells it, see
+     * {@link wbv.diagnosis.search.InputLevel}.
+     */
     private InputNoise furtherNoise(Channel sensor) {
         boolean alike = model.base().sensor().map(first -> first.quantity() == sensor.quantity()).orElse(false);
         return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), Excitation.order(sensor.quantity()));
@@ -172,7 +175,11 @@ public final class Measured {
         });
     }
 
-    /** Fills in the outputs' noise. @return that of the input, as far as it is known before a fit tells it, see {@link wbv.diagnosis.search.InputLevel} */
+    /**
+     * Fills in the outputs' noise.
+     *
+     * @return that of the input, as far as it is known before a fit tells it, see {@link wbv.diagnosis.search.InputLevel}
+     */
     private double noiseOnRig(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
         for (int o = 0; o < noise.length; o++) {
@@ -310,7 +317,9 @@ public final class Measured {
         return chosen;
     }
 
-    /** Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it. */
+    /**
+     * Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it.
+     */
     double sample() {
         return sample;
     }

@@ -22,9 +22,15 @@ public final class NoiseLevel {
     private static final double LOW = 0.25;
     private static final double HIGH = 0.37;
     private static final double BAND = 0.025;
-    /** How far the least of the 13 such bands up to the highest lies below their mean, in standard deviations (normal order statistics, Harter 1961). */
+    /**
+     * How far the least of the 13 such bands up to the highest lies below their mean, in standard deviations (normal order statistics,
+     * Harter 1961).
+     */
     private static final double LEAST = 1.668;
-    /** How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their powers. */
+    /**
+     * How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their
+     * powers.
+     */
     private static final double HANN = 1.944;
     /** Standard deviation of a median over that of a mean. */
     private static final double MEDIAN = 1.2533;
@@ -47,7 +53,8 @@ public final class NoiseLevel {
     }
 
     /**
-     * Standard deviation of a sample of sensors of one kind, where the band above the excitation is not free of motion; no number where it is.
+     * Standard deviation of a sample of sensors of one kind, where the band above the excitation is not free of motion; no number where it
+     * is.
      *
      * @param series the input's and what other sensors of its kind measured along the same axis, without gaps. Not modified.
      */
@@ -62,7 +69,8 @@ public final class NoiseLevel {
 
     /**
      * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
-     * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a recording is short.
+     * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a
+     * recording is short.
      *
      * @param x [unit of the channel]. Not modified.
      */

@@ -42,7 +42,11 @@ public final class Nuisances {
                 new double[all.length], 1);
     }
 
-    /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param sizes in standard deviations */
+    /**
+     * The same, where delays of these sizes are exact and only what they are more or less counts to first order.
+     *
+     * @param sizes in standard deviations
+     */
     Nuisances around(double[] sizes) {
         double[] delays = new double[sizes.length];
         for (int i = 0; i < delays.length; i++) {
@@ -52,7 +56,8 @@ public final class Nuisances {
     }
 
     /**
-     * The same, with errors of ways that together are no larger than what is known of them: a way that has to be another altogether is not this law's.
+     * The same, with errors of ways that together are no larger than what is known of them: a way that has to be another altogether is not
+     * this law's.
      *
      * @param residual that they are to explain. Not modified. @param off errors that are not asked, see {@link #off}
      */
@@ -103,8 +108,8 @@ public final class Nuisances {
     }
 
     /**
-     * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault, which
-     * takes any share of what all have in common, nothing but this tells how late the input is.
+     * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault,
+     * which takes any share of what all have in common, nothing but this tells how late the input is.
      *
      * @param sizes in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
      */
@@ -177,7 +182,11 @@ public final class Nuisances {
         }
     }
 
-    /** Adds to a residual what {@link #lateness} took out of it to first order, so that errors count from nothing. @param residual Modified. */
+    /**
+     * Adds to a residual what {@link #lateness} took out of it to first order, so that errors count from nothing.
+     *
+     * @param residual Modified.
+     */
     void restore(double[] residual, boolean[] off) {
         for (int i = 0; i < delays.length; i++) {
             for (int k = 0; k < residual.length && delays[i] != 0 && !off[i]; k++) {
@@ -271,8 +280,8 @@ public final class Nuisances {
     record Explained(double[] errors, double square) { }
 
     /**
-     * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds. Those that would leave them stay there, and are let
-     * go again where they would come back; exact, since errors that sensors share are as good as collinear.
+     * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds. Those that would leave them stay there, and are
+     * let go again where they would come back; exact, since errors that sensors share are as good as collinear.
      *
      * @param off errors that are not asked, see {@link #off}
      */

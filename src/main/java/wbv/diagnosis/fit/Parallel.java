@@ -9,8 +9,8 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 
 /**
- * Work for all cores, of which each takes the next piece as soon as it is free: pieces differ so much in length that shares dealt out beforehand
- * leave cores idle. Answers stand in the order of what was asked, and do not depend on how many cores there are.
+ * Work for all cores, of which each takes the next piece as soon as it is free: pieces differ so much in length that shares dealt out
+ * beforehand leave cores idle. Answers stand in the order of what was asked, and do not depend on how many cores there are.
  */
 public final class Parallel {
 

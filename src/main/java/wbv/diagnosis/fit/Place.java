@@ -103,8 +103,8 @@ public record Place(Kind kind, int index) {
     }
 
     /**
-     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a body's mass,
-     * and that of a body on the base, on which a force in its link acts.
+     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a
+     * body's mass, and that of a body on the base, on which a force in its link acts.
      *
      * @param x Not modified.
      */
@@ -120,7 +120,10 @@ public record Place(Kind kind, int index) {
         return out;
     }
 
-    /** What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by itself. */
+    /**
+     * What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by
+     * itself.
+     */
     public double[][] direction(Excitation excitation, Assembly assembly) {
         if (!isSensor()) {
             Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);

@@ -73,8 +73,8 @@ public final class Readings {
     }
 
     /**
-     * The errors found beside a model, by channel and name with unit; those of the input's sensor under {@code input}. None of a sensor that is
-     * blamed for a large error of the same kind, or where the fit failed.
+     * The errors found beside a model, by channel and name with unit; those of the input's sensor under {@code input}. None of a sensor
+     * that is blamed for a large error of the same kind, or where the fit failed.
      */
     public static Map<String, Map<String, Double>> errors(Evidence evidence, Fitter.State state) {
         Nuisances nuisances = state.frame().nuisances();

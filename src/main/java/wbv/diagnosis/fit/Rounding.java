@@ -42,8 +42,9 @@ public record Rounding(double step, double level) {
     }
 
     /**
-     * Whether the values are levels that somebody chose, as those of a commanded voltage are, and no continuous signal was rounded to them: they lie within
-     * one step of their mean, where rounding is no noise of its own (Widrow 1956), or stay at a level and leave it for one that is no neighbour.
+     * Whether the values are levels that somebody chose, as those of a commanded voltage are, and no continuous signal was rounded to them:
+     * they lie within one step of their mean, where rounding is no noise of its own (Widrow 1956), or stay at a level and leave it for one
+     * that is no neighbour.
      */
     private static boolean isSwitched(double[] x, double[] sorted, double step) {
         double[] centred = Measured.centred(sorted);

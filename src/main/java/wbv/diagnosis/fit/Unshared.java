@@ -13,11 +13,11 @@ import wbv.signal.Segmentation;
 import wbv.signal.SpectralMatrix;
 
 /**
- * Noise of several sensors of one kind in a band in which something may move: what they share is motion, what they do not share is noise. First
- * what the outputs share with the input goes (the input's own noise, which a body passes on weakly up there, stays in); then, in narrow bands,
- * the matrix of their spectra is that of other motion, which has few ways to reach them, and the noise's, which has the same power in all
- * directions: its small eigenvalues are the noise (Tipping and Bishop 1999), as many as are no farther apart than those of noise alone are
- * (Marčenko and Pastur 1967).
+ * Noise of several sensors of one kind in a band in which something may move: what they share is motion, what they do not share is noise.
+ * First what the outputs share with the input goes (the input's own noise, which a body passes on weakly up there, stays in); then, in
+ * narrow bands, the matrix of their spectra is that of other motion, which has few ways to reach them, and the noise's, which has the same
+ * power in all directions: its small eigenvalues are the noise (Tipping and Bishop 1999), as many as are no farther apart than those of
+ * noise alone are (Marčenko and Pastur 1967).
  */
 final class Unshared {
 
@@ -37,7 +37,10 @@ final class Unshared {
     private final double high;
     private final double width;
 
-    /** @param series of the sensors, without gaps, the input's first. Not modified. @param low edges and width of the bands over the rate */
+    /**
+     * @param series of the sensors, without gaps, the input's first. Not modified.
+     * @param low edges and width of the bands over the rate
+     */
     Unshared(double[][] series, double low, double high, double width) {
         this.low = low;
         this.high = high;
@@ -57,7 +60,10 @@ final class Unshared {
         }
     }
 
-    /** Standard deviation of a sample of white noise as strong as what the sensors do not share; empty where the first shares nothing with others. */
+    /**
+     * Standard deviation of a sample of white noise as strong as what the sensors do not share; empty where the first shares nothing with
+     * others.
+     */
     OptionalDouble level() {
         List<double[]> bands = new ArrayList<>();
         boolean shared = false;
@@ -109,7 +115,10 @@ final class Unshared {
             count = Math.max(m + 1, spectra.independent() * (1 + (last - first - 1) * OWN));
         }
 
-        /** The chance that sensors which share nothing look as much as if the first shared something with the others: of Beta(m - 1, N - m + 1). */
+        /**
+         * The chance that sensors which share nothing look as much as if the first shared something with the others: of Beta(m - 1, N - m +
+         * 1).
+         */
         double sharedByChance() {
             if (m < 2 || !(re[0][0] > 0)) {
                 return 1;

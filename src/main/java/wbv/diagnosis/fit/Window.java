@@ -97,7 +97,11 @@ public final class Window {
         return out;
     }
 
-    /** The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0. @param spectrum Not modified. */
+    /**
+     * The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0.
+     *
+     * @param spectrum Not modified.
+     */
     public double[] series(double[] spectrum) {
         double[] all = new double[2 * (first + lines)];
         for (int i = 0; i < spectrum.length; i++) {

@@ -9,17 +9,18 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * What a model that stands for a simulation gets wrong of the way from a link's force to the outputs, where a law makes that another than it was. A chain that was identified from what a base's
- * motion does knows little of what a force within it does: fore and aft, about joints, past bodies that it does not have. To each output the way may
- * so differ by an impulse response of a third of a second, every sample of it about as large as a part of the chain's own.
+ * What a model that stands for a simulation gets wrong of the way from a link's force to the outputs, where a law makes that another than
+ * it was. A chain that was identified from what a base's motion does knows little of what a force within it does: fore and aft, about
+ * joints, past bodies that it does not have. To each output the way may so differ by an impulse response of a third of a second, every
+ * sample of it about as large as a part of the chain's own.
  */
 final class WrongWay {
 
     /** Longest that the way may differ [s]: a turn of what sitters swing at 3 Hz, the slowest that a force in a link moves much. */
     private static final double LASTING = 1.0 / 3;
     /**
-     * Root mean square of the difference over the chain's own way, at most. Assumed; chains identified from simulations by another engine, pushed by the
-     * forces that were concealed from them, differed by 0.2 to 0.5.
+     * Root mean square of the difference over the chain's own way, at most. Assumed; chains identified from simulations by another engine,
+     * pushed by the forces that were concealed from them, differed by 0.2 to 0.5.
      */
     private static final double PART = 0.5;
 
@@ -29,8 +30,8 @@ final class WrongWay {
     private WrongWay() { }
 
     /**
-     * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where these are not
-     * free.
+     * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where
+     * these are not free.
      *
      * @param x of the candidate. Not modified. @param ran what the candidate does there; asked only where ways are free
      */
@@ -80,7 +81,10 @@ final class WrongWay {
         }
     }
 
-    /** A force without what is so slow that it moves nothing: below its modes a structure answers with the square of the frequency. Filters in place. */
+    /**
+     * A force without what is so slow that it moves nothing: below its modes a structure answers with the square of the frequency. Filters
+     * in place.
+     */
     private static double[] swinging(double[] omega, double[] force) {
         for (int k = 0; k < omega.length; k++) {
             double u = omega[k] / SLOWEST;

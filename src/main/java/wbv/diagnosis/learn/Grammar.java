@@ -28,16 +28,17 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /**
- * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, one memory or an inertance,
- * each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters linearly, so that a
- * score test ranks them at the price of one product of spectra each.
+ * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, one memory or an
+ * inertance, each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters
+ * linearly, so that a score test ranks them at the price of one product of spectra each.
  */
 final class Grammar {
 
     /** Shapes that stand alone; r and v themselves are the model's. */
-    private static final List<Shape> ALONE = shapes("|r|", "r^2", "|r|r", "r^3", "sign(r)", "r+", "r+^2", "r-^2", "|v|", "v^2", "|v|v", "v^3", "sign(v)", "v+", "v+^2",
-            "v-^2", "r v", "|r| v", "r^2 v", "r |v|", "r v^2", "r |v|v", "|r| |v|v", "r^2 |v|v", "r+ v", "r- v", "r+ v+", "r- v+", "r sign(v)",
-            "|r| sign(v)", "r^2 sign(v)", "r+ sign(v)", "r- sign(v)", "sign(r) |v|", "sign(r) v^2", "|r| |v|", "r^2 |v|");
+    private static final List<Shape> ALONE = shapes("|r|", "r^2", "|r|r", "r^3", "sign(r)", "r+", "r+^2", "r-^2", "|v|", "v^2", "|v|v",
+            "v^3", "sign(v)", "v+", "v+^2",
+            "v-^2", "r v", "|r| v", "r^2 v", "r |v|", "r v^2", "r |v|v", "|r| |v|v", "r^2 |v|v", "r+ v", "r- v", "r+ v+", "r- v+",
+            "r sign(v)", "|r| sign(v)", "r^2 sign(v)", "r+ sign(v)", "r- sign(v)", "sign(r) |v|", "sign(r) v^2", "|r| |v|", "r^2 |v|");
     /** Shapes that something else multiplies. */
     private static final List<Shape> MODULATED = shapes("1", "r", "v", "|r|r", "r^3", "|v|v", "sign(v)", "|r|");
     /** Shapes that come and go by the clock. */
@@ -96,7 +97,10 @@ final class Grammar {
         force = force(Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v));
     }
 
-    /** How large a force in the link may be [N]: what its spring and dashpot carry; where it has none, what moves the masses, or what was measured. */
+    /**
+     * How large a force in the link may be [N]: what its spring and dashpot carry; where it has none, what moves the masses, or what was
+     * measured.
+     */
     private double force(double carried) {
         double moving = Arrays.stream(fitted.structure().mass()).sum() * v * v / r;
         double[] measured = evidence.measured(0);

@@ -37,7 +37,10 @@ public final class LatentForce {
     record Estimate(double[] force, double[] law, double[] seenLaw, double[] stretch, double[] acceleration, double pointNoise,
                     double lowest) { }
 
-    /** @param counted samples at which the outputs were measured. Not modified. @param bare the linear model without the force, as fitted */
+    /**
+     * @param counted samples at which the outputs were measured. Not modified.
+     * @param bare the linear model without the force, as fitted
+     */
     LatentForce(Excitation whole, boolean[] counted, Assembly bare, Estimate estimate) {
         this.whole = whole;
         this.counted = counted;

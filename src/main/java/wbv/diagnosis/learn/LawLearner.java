@@ -32,8 +32,8 @@ import wbv.diagnosis.search.Search;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
- * fitted by free run, and the sentence is taken whose evidence is greatest, each further term having to pay for itself. What does not hold on
- * data that were not used is no law.
+ * fitted by free run, and the sentence is taken whose evidence is greatest, each further term having to pay for itself. What does not hold
+ * on data that were not used is no law.
  */
 public final class LawLearner {
 
@@ -255,7 +255,11 @@ public final class LawLearner {
                 .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
     }
 
-    /** The first steps from what is proposed; from less of it where that much is not stable. @param scored what the law is to stand on, with derivatives */
+    /**
+     * The first steps from what is proposed; from less of it where that much is not stable.
+     *
+     * @param scored what the law is to stand on, with derivatives
+     */
     private Fitter.State begun(Fitter.State scored, Sentences sentences, Sentences.Proposal proposal) {
         Fitter fitter = search.fitter();
         Candidate with = scored.candidate();
@@ -287,10 +291,15 @@ public final class LawLearner {
     }
 
     /**
-     * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart (Schwarz 1978).
-     * A further number has to explain more than a formula that is right may leave, which is right to a part of its own force only.
+     * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart
+     * (Schwarz 1978). A further number has to explain more than a formula that is right may leave, which is right to a part of its own
+     * force only.
      *
-     * @param gain of the sentence [nat] @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
+     * @param gain of the sentence [nat]
+     * @param chosen terms
+     * @param of how many
+     * @param numbers of all terms together
+     * @param degrees of freedom of the data
      */
     static double price(double gain, int chosen, int of, int numbers, double degrees) {
         return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
@@ -302,7 +311,8 @@ public final class LawLearner {
     }
 
     /**
-     * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like it.
+     * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like
+     * it.
      */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
@@ -312,8 +322,8 @@ public final class LawLearner {
     }
 
     /**
-     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise is not known, all
-     * that is left may be that.
+     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise
+     * is not known, all that is left may be that.
      */
     public static boolean lacks(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
@@ -330,8 +340,8 @@ public final class LawLearner {
     }
 
     /**
-     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more parts than it
-     * has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
+     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more
+     * parts than it has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
      *
      * @param name what is known without it: the model alone, or with what was named
      */
@@ -349,13 +359,19 @@ public final class LawLearner {
                 }).findFirst();
     }
 
-    /** Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of every name costs. */
+    /**
+     * Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of
+     * every name costs.
+     */
     private boolean outweighs(Sentence sentence, Chosen name) {
         double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
         return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name, search.refinement().heldOut(name.fit()));
     }
 
-    /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */
+    /**
+     * Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be
+     * missing: its noise is not known.
+     */
     private boolean holds(Fitter.State fit, Fitter.State than, double most) {
         return fit.reduced() - floor() < most * (than.reduced() - floor())
                 && search.refinement().heldOut(fit) - floor() < most * (search.refinement().heldOut(than) - floor());

@@ -54,7 +54,10 @@ public final class LearnedWords {
         return out.toString();
     }
 
-    /** The unit of a coefficient. A link about an axis carries moments and turns; what its force goes by beside is another's, and keeps its unit. */
+    /**
+     * The unit of a coefficient. A link about an axis carries moments and turns; what its force goes by beside is another's, and keeps its
+     * unit.
+     */
     private String unit(Learned term) {
         if (!about) {
             return term.unit();
@@ -92,7 +95,8 @@ public final class LearnedWords {
             return "Repeat the beginning at the end (A-B-A): what changed with time stays changed, what goes by the level comes back.";
         }
         if (first instanceof LearnedInertance) {
-            return "Ride with more of what is fast: the force must grow with the square of the frequency, which nothing that is only late does.";
+            return "Ride with more of what is fast: the force must grow with the square of the frequency, which nothing that is only "
+                    + "late does.";
         }
         if (first.hasMemory()) {
             return "Load the link by a step and hold it: the force must fade as the memory says.";

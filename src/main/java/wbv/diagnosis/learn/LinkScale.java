@@ -5,7 +5,10 @@ import wbv.diagnosis.fit.Evidence;
 /**
  * In which units a link is drawn.
  *
- * @param turn      from metres, or radians, to the unit shown @param deflection its unit @param velocity its unit @param effort what it carries
+ * @param turn      from metres, or radians, to the unit shown
+ * @param deflection its unit
+ * @param velocity its unit
+ * @param effort what it carries
  * @param force     its unit @param stiff from N/m, or N m/rad, to the unit shown @param stiffness its unit @param damping unit of a damping
  */
 public record LinkScale(double turn, String deflection, String velocity, String effort, String force, double stiff, String stiffness, String damping) {

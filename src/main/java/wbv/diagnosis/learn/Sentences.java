@@ -22,9 +22,9 @@ import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Screening;
 
 /**
- * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording (orthogonal matching
- * pursuit: Pati, Rezaiifar and Krishnaprasad 1993). Beside every term go the deflection and the speed of the link themselves, since its stiffness
- * and its damping are known no better than the law.
+ * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording
+ * (orthogonal matching pursuit: Pati, Rezaiifar and Krishnaprasad 1993). Beside every term go the deflection and the speed of the link
+ * themselves, since its stiffness and its damping are known no better than the law.
  */
 final class Sentences {
 
@@ -64,7 +64,12 @@ final class Sentences {
     /** A term at a start. @param columns what its amplitudes do */
     private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) { }
 
-    /** Proposals, most worth first, no two of the same kinds of terms. @param most terms of each at most @param variants other forms of a term, tried where it is among the first */
+    /**
+     * Proposals, most worth first, no two of the same kinds of terms.
+     *
+     * @param most terms of each at most
+     * @param variants other forms of a term, tried where it is among the first
+     */
     List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, List<Hypothesis>> variants) {
         likely.clear();
         List<Column> columns = new ArrayList<>();
@@ -194,7 +199,11 @@ final class Sentences {
                 gain / (2 * unit) - LawLearner.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
     }
 
-    /** Coordinates of a candidate that holds the terms of a proposal, from which it is fitted. @param x of the state, where terms were scored */
+    /**
+     * Coordinates of a candidate that holds the terms of a proposal, from which it is fitted.
+     *
+     * @param x of the state, where terms were scored
+     */
     double[] start(Proposal proposal, Candidate with) {
         Candidate own = state.candidate();
         double[] x = Arrays.copyOf(state.x(), with.knobs().size());

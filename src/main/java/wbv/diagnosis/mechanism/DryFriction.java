@@ -17,8 +17,8 @@ record DryFriction() implements Mechanism {
     static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at 0.3 Hz.";
 
     /**
-     * How slow it creeps at least that sticks, in parts of the usual speed: less than a hundredth of a millimetre in a minute for what goes at a tenth of a metre
-     * a second.
+     * How slow it creeps at least that sticks, in parts of the usual speed: less than a hundredth of a millimetre in a minute for what goes
+     * at a tenth of a metre a second.
      */
     static final double STUCK = 1e-6;
 

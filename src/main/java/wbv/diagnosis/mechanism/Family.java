@@ -29,7 +29,8 @@ public enum Family {
     /** What tells most things from most others. */
     public static final String LEVELS = "Repeat the ride at three or more levels, at least 1 : 4 apart: the effects grow "
             + "differently with amplitude.";
-    private static final String BLOCKS = "Record longer at one level and look at blocks of ten seconds: a step has a moment, a drift has none.";
+    private static final String BLOCKS = "Record longer at one level and look at blocks of ten seconds: a step has a moment, a drift has "
+            + "none.";
 
     private final String experiment;
 

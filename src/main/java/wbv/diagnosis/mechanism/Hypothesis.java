@@ -54,11 +54,13 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /**
      * A fault of a device that several outputs read, whose channels have it with the same numbers.
      *
-     * @param outputs of the device, as many as faults @param faults of one kind @param factors by fault, of each of its numbers over the first's
+     * @param outputs of the device, as many as faults
+     * @param faults of one kind
+     * @param factors by fault, of each of its numbers over the first's
      * @param bounds  of the first's numbers
      */
-    public static Hypothesis fault(Mechanism kind, Scene scene, List<Integer> outputs, List<SensorFault> faults, List<List<Double>> factors, List<Number> bounds,
-                                   List<Start> starts) {
+    public static Hypothesis fault(Mechanism kind, Scene scene, List<Integer> outputs, List<SensorFault> faults, List<List<Double>> factors,
+            List<Number> bounds, List<Start> starts) {
         List<Addition> additions = new ArrayList<>(List.of(new Addition.AtSensor(outputs.get(0), faults.get(0))));
         for (int i = 1; i < outputs.size(); i++) {
             additions.add(new Addition.Alike(scene.device(outputs.get(0)).get(0), outputs.get(i), faults.get(i), factors.get(i)));

@@ -5,9 +5,9 @@ import wbv.body.law.Learned;
 import wbv.body.law.LearnedInertance;
 
 /**
- * A force in a link that no other mechanism makes: its law is learned term by term, and only where nothing here explains what is missing. All but one: a
- * force in proportion to the acceleration of one end against the other is asked for with all the others, since one that is late imitates it (over a narrow
- * band, with a negative stiffness, to the noise).
+ * A force in a link that no other mechanism makes: its law is learned term by term, and only where nothing here explains what is missing.
+ * All but one: a force in proportion to the acceleration of one end against the other is asked for with all the others, since one that is
+ * late imitates it (over a narrow band, with a negative stiffness, to the noise).
  */
 public record LearnedForce() implements Mechanism {
 

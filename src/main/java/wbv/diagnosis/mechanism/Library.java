@@ -48,7 +48,10 @@ public record Library(List<Mechanism> mechanisms) {
         return mechanisms.stream().filter(mechanism -> mechanism.word().equals(word)).findFirst();
     }
 
-    /** Every mechanism at every place where it makes sense, with bounds and starting points scaled to the motion: by link, by body, by sensor. */
+    /**
+     * Every mechanism at every place where it makes sense, with bounds and starting points scaled to the motion: by link, by body, by
+     * sensor.
+     */
     public List<Hypothesis> hypotheses(Scene scene) {
         List<Hypothesis> out = new ArrayList<>();
         scene.links().forEach(link -> mechanisms.stream()

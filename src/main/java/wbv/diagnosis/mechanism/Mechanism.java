@@ -5,13 +5,15 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Something that a model may lack: what it is called, what it adds and where, from which sizes a search for it starts, and what has to be known
- * of it to judge it and to tell people.
+ * Something that a model may lack: what it is called, what it adds and where, from which sizes a search for it starts, and what has to be
+ * known of it to judge it and to tell people.
  */
-public sealed interface Mechanism permits Softening, Hardening, Asymmetry, SpeedDamping, DryFriction, Hysteresis, Separation, EndStop, Clearance,
-        AbruptChange, GradualChange, Viscoelasticity, StretchReflex, RotationalCoupling, CrossAxisCoupling, HiddenMass, UnmeasuredForce, SensorMount,
-        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, SensorQuantised, Scheduled, ParameterError, LearnedForce,
-        Mechanism.Custom {
+public sealed interface Mechanism
+        permits Softening, Hardening, Asymmetry, SpeedDamping, DryFriction, Hysteresis, Separation, EndStop, Clearance,
+        AbruptChange, GradualChange, Viscoelasticity, StretchReflex, RotationalCoupling, CrossAxisCoupling, HiddenMass, UnmeasuredForce,
+        SensorMount,
+        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts,
+        SensorQuantised, Scheduled, ParameterError, LearnedForce, Mechanism.Custom {
 
     /** One that somebody adds to a {@link Library} of his own. */
     non-sealed interface Custom extends Mechanism { }
@@ -69,7 +71,12 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
         return false;
     }
 
-    /** Whether it is another thing that is imitated where one of its numbers stands at a bound. @param key of the number @param low which bound */
+    /**
+     * Whether it is another thing that is imitated where one of its numbers stands at a bound.
+     *
+     * @param key of the number
+     * @param low which bound
+     */
     default boolean imitatesAt(String key, boolean low) {
         return false;
     }

@@ -16,11 +16,11 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /**
- * What mechanisms take their measure from: a model as it fits without them, how it moved, and what was recorded. Arrays are not copied: treat
- * them as read-only.
+ * What mechanisms take their measure from: a model as it fits without them, how it moved, and what was recorded. Arrays are not copied:
+ * treat them as read-only.
  *
- * @param onRig     whether it is a test rig and no person: a damper of 20 kN and an electronic oscillator of 50 mV have no newton in common, so
- *                  bounds go by the motion and the forces of the recording alone, and there is nothing of a sitter
+ * @param onRig     whether it is a test rig and no person: a damper of 20 kN and an electronic oscillator of 50 mV have no newton in
+ *                  common, so bounds go by the motion and the forces of the recording alone, and there is nothing of a sitter
  * @param structure the model's numbers as fitted
  * @param links     by index
  * @param onBase    bodies that feel what acts on them as they feel what acts in their link to the base
@@ -34,8 +34,8 @@ import wbv.recording.Quantity;
  * @param schedules recorded channels by which a link may go, that the model has no use for
  */
 public record Scene(Model model, boolean onRig, Structure structure, List<Link> links, Set<Integer> onBase,
-                    BiFunction<String, Quantity, List<Channel>> across, BiFunction<Channel, Quantity, List<Channel>> beside, List<double[]> measured, double[] lines,
-                    double spacing, double step, double end, List<Schedule> schedules) {
+        BiFunction<String, Quantity, List<Channel>> across, BiFunction<Channel, Quantity, List<Channel>> beside, List<double[]> measured,
+        double[] lines, double spacing, double step, double end, List<Schedule> schedules) {
 
     public Scene {
         links = List.copyOf(links);
@@ -94,8 +94,8 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
      * @param reached    deflection towards a side that is not passed for a share of the time [m]
      * @param pull       of its spring and dashpot, likewise [N]
      */
-    public record Link(int index, String name, double own, double ownDamping, double stiffness, double damping, double deflection, double speed, double force,
-                       Map<Law.Side, DoubleUnaryOperator> reached, DoubleUnaryOperator pull) {
+    public record Link(int index, String name, double own, double ownDamping, double stiffness, double damping, double deflection,
+            double speed, double force, Map<Law.Side, DoubleUnaryOperator> reached, DoubleUnaryOperator pull) {
 
         double reached(Law.Side side, double share) {
             return reached.get(side).applyAsDouble(share);

@@ -19,8 +19,9 @@ import wbv.body.number.Modulator;
 import wbv.recording.Quantity;
 
 /**
- * A link's stiffness, damping or friction that goes by a measured channel which is no input of the model: the position of a roller, a coil's voltage, a
- * temperature. A polynomial of the first to the fourth degree over the channel's range, no more of it than the channel's levels tell.
+ * A link's stiffness, damping or friction that goes by a measured channel which is no input of the model: the position of a roller, a
+ * coil's voltage, a temperature. A polynomial of the first to the fourth degree over the channel's range, no more of it than the channel's
+ * levels tell.
  */
 record Scheduled(What what) implements Mechanism {
 
@@ -28,7 +29,8 @@ record Scheduled(What what) implements Mechanism {
     enum What { STIFFNESS, DAMPING, FRICTION }
 
     private static final Map<Integer, String> FORMS = Map.of(1, "straight", 2, "parabola", 3, "cubic", 4, "free");
-    private static final String HOLD = "Hold what the channel measures at three levels, one after the other, and record each: the number must be another at each, and the same at each again.";
+    private static final String HOLD = "Hold what the channel measures at three levels, one after the other, and record each: the number "
+            + "must be another at each, and the same at each again.";
     /** Change of a link's own number by which it is looked at to first order, and the largest [1]. */
     private static final double CHANGE = 0.1;
     private static final double MOST = 30;
@@ -80,7 +82,10 @@ record Scheduled(What what) implements Mechanism {
         return IntStream.rangeClosed(1, 4).mapToObj(power -> power <= degree ? sum(unit, -most, most) : sum(unit, -1e-9 * unit, 1e-9 * unit)).toList();
     }
 
-    /** What it is at the ends of the range and, where that is more than a straight line, between them: of a link's own number by how much it changes. */
+    /**
+     * What it is at the ends of the range and, where that is more than a straight line, between them: of a link's own number by how much it
+     * changes.
+     */
     @Override
     public List<Told> told(Hypothesis hypothesis) {
         Modulator.Level by = (Modulator.Level) ((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).law().modulator();

@@ -13,9 +13,9 @@ import wbv.body.SensorFault;
 /**
  * A sensor that is AC coupled.
  *
- * <p>Its corner lies where a recording can show one. Below one turn in the whole stretch all that is left of it is a trend, which offsets make too. Above a
- * tenth of the sampling rate a sensor reads a factor of the derivative over most of what is sampled: not that sensor's reading coupled to AC, but that
- * of another quantity.
+ * <p>Its corner lies where a recording can show one. Below one turn in the whole stretch all that is left of it is a trend, which offsets
+ * make too. Above a tenth of the sampling rate a sensor reads a factor of the derivative over most of what is sampled: not that sensor's
+ * reading coupled to AC, but that of another quantity.
  */
 record SensorAcCoupling() implements Mechanism {
 
@@ -42,8 +42,8 @@ record SensorAcCoupling() implements Mechanism {
     public List<Hypothesis> onBody(Scene scene, int body) {
         double[] corners = corners(scene);
         return scene.inputsOn(body).map(channel -> new Hypothesis(this, channel.toString(), "",
-                List.of(new Hypothesis.Addition.Driven(body, new Drive.Coupled(channel, corners[0]))), Hypothesis.Number.named(Drive.Coupled.class, List.of(bounds(scene))),
-                grid(corners, corner -> fixed(corner)))).toList();
+                List.of(new Hypothesis.Addition.Driven(body, new Drive.Coupled(channel, corners[0]))),
+                Hypothesis.Number.named(Drive.Coupled.class, List.of(bounds(scene))), grid(corners, corner -> fixed(corner)))).toList();
     }
 
     private static Hypothesis.Number bounds(Scene scene) {
@@ -58,8 +58,8 @@ record SensorAcCoupling() implements Mechanism {
 
     @Override
     public Optional<String> against(Mechanism rival) {
-        boolean told = rival.family() == Family.COUPLING || rival.family() == Family.DYNAMIC || rival instanceof SensorGain || rival instanceof SensorDelay
-                || rival instanceof SensorMount;
+        boolean told = rival.family() == Family.COUPLING || rival.family() == Family.DYNAMIC || rival instanceof SensorGain
+                || rival instanceof SensorDelay || rival instanceof SensorMount;
         return told ? Optional.of(entry().experiment()) : Optional.empty();
     }
 

@@ -9,7 +9,10 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
-/** A sensor that is tilted: towards both axes across, or about one axis where two were recorded; all its channels in a model with them. Not looked for on a rig. */
+/**
+ * A sensor that is tilted: towards both axes across, or about one axis where two were recorded; all its channels in a model with them. Not
+ * looked for on a rig.
+ */
 record SensorMisalignment() implements Mechanism {
 
     static final String POSE = "Hold a static pose: a tilted sensor splits gravity, nothing else does.";

@@ -62,8 +62,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     public record Traces(double from, double step, double[] measured, double[] before, double[] after) { }
 
     /**
-     * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and frequency [dB]; NaN where
-     * nothing was measured.
+     * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and
+     * frequency [dB]; NaN where nothing was measured.
      */
     public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) { }
 
@@ -97,8 +97,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     /**
-     * Draws from where the fits of a diagnosis ended, which takes a few simulations more. Besides what the chosen fit added, the place of an unmeasured force
-     * is drawn, or the best place for what nothing explains.
+     * Draws from where the fits of a diagnosis ended, which takes a few simulations more. Besides what the chosen fit added, the place of
+     * an unmeasured force is drawn, or the best place for what nothing explains.
      */
     public static Pictures of(Diagnosed diagnosed) {
         Diagnosis diagnosis = diagnosed.diagnosis();

@@ -77,7 +77,11 @@ final class Portraits {
         return List.of(hidden(latent(true, ((Hypothesis.Addition.Hidden) addition).body()), hypothesis.where()));
     }
 
-    /** A law that was learned over the force that the recording asks for: in time, by deflection and speed, and one over the other. @param term one of it */
+    /**
+     * A law that was learned over the force that the recording asks for: in time, by deflection and speed, and one over the other.
+     *
+     * @param term one of it
+     */
     private List<Portrait> learned(Hypothesis term) {
         int link = ((Hypothesis.Addition.InLink) term.additions().get(0)).link();
         LatentForce latent = latent(false, link);

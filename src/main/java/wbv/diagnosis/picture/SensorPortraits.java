@@ -45,8 +45,8 @@ final class SensorPortraits {
     }
 
     List<Portrait> of(SensorFault fault) {
-        if (fault instanceof SensorFault.MountResonance || fault instanceof SensorFault.StiffeningMount || fault instanceof SensorFault.AcCoupling
-                || fault instanceof SensorFault.Delay) {
+        if (fault instanceof SensorFault.MountResonance || fault instanceof SensorFault.StiffeningMount
+                || fault instanceof SensorFault.AcCoupling || fault instanceof SensorFault.Delay) {
             return response(true);
         }
         if (fault instanceof SensorFault.Misalignment tilt) {

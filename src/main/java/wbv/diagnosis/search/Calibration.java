@@ -47,9 +47,9 @@ public record Calibration(double forms, double chance, double lapse, int answers
     }
 
     /**
-     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
-     * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond the noise; the noise is the same
-     * for all, so that what one leaves more than another is no chance.
+     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over
+     * sizes that are equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond
+     * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
      * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
      * @return logarithms of their evidences but for what is the same for all [nat]

@@ -21,8 +21,9 @@ public record Chosen(Fitter.State fit, double price) {
     }
 
     /**
-     * Whether it is likelier than another, by what both leave of the data that were fitted and of data that were not, in the mean: no formula is quite right,
-     * so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What does worse on data not used is not.
+     * Whether it is likelier than another, by what both leave of the data that were fitted and of data that were not, in the mean: no
+     * formula is quite right, so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What
+     * does worse on data not used is not.
      *
      * @param heldOut mean square of what this leaves of data not used @param otherHeldOut of what the other does
      */

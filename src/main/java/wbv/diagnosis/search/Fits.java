@@ -7,7 +7,10 @@ import wbv.diagnosis.fit.Fitter;
 /**
  * The fits that a diagnosis rests on, with the heaviest mass as the user gave it.
  *
- * @param evidence what they were fitted to @param given the model as given @param base with fitted values @param best with what was found; the base
+ * @param evidence what they were fitted to
+ * @param given the model as given
+ * @param base with fitted values
+ * @param best with what was found; the base
  *                 itself where nothing was
  * @param price    what the choice of its parts beyond the first cost [nat]
  * @param leaders  single mechanisms that were fitted, most credible first

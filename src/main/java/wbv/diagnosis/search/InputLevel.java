@@ -18,13 +18,16 @@ import wbv.diagnosis.fit.Window;
 import wbv.recording.Channel;
 
 /**
- * How noisy the sensors of a rig's input are. No band of what moves a rig is known to hold noise alone, so that it shows in what a fit leaves only: as
- * something white that enters where the input does, and is a small part of it. Likeliest values, one sensor after the other (errors in variables: Söderström
- * 2007).
+ * How noisy the sensors of a rig's input are. No band of what moves a rig is known to hold noise alone, so that it shows in what a fit
+ * leaves only: as something white that enters where the input does, and is a small part of it. Likeliest values, one sensor after the other
+ * (errors in variables: Söderström 2007).
  */
 public final class InputLevel {
 
-    /** Part of what it measures that a sensor's noise is at most [1]: as many standard deviations as any small error of a sensor, of that of a gain. */
+    /**
+     * Part of what it measures that a sensor's noise is at most [1]: as many standard deviations as any small error of a sensor, of that of
+     * a gain.
+     */
     private static final double MOST = SmallError.MOST * SmallError.Kind.GAIN.deviation();
     /** Levels that are tried, in octaves below the highest. */
     private static final int OCTAVES = 16;

@@ -44,7 +44,11 @@ public final class Locator {
         this.baseline = baseline;
     }
 
-    /** All places one by one, best first; none with a single output, where every place explains everything. @param x where fits start. Not modified. */
+    /**
+     * All places one by one, best first; none with a single output, where every place explains everything.
+     *
+     * @param x where fits start. Not modified.
+     */
     public List<Known.Ignoring> singles(double[] x) {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
     }
@@ -109,7 +113,11 @@ public final class Locator {
                 : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
     }
 
-    /** What a place may leave to be some times as far from the noise as the best; anything where none was looked at. @param found best first */
+    /**
+     * What a place may leave to be some times as far from the noise as the best; anything where none was looked at.
+     *
+     * @param found best first
+     */
     public static double reach(List<Known.Ignoring> found, double times) {
         return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());
     }

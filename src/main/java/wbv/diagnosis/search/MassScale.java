@@ -33,8 +33,8 @@ public record MassScale(double factor, double deviation) {
     private static final MassScale NONE = new MassScale(1, 0);
 
     /**
-     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose forces are
-     * in newtons.
+     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose
+     * forces are in newtons.
      *
      * @param state with slopes. Not modified.
      */
@@ -96,9 +96,9 @@ public record MassScale(double factor, double deviation) {
         Assembly template = applied(old.template());
         List<Knob> knobs = old.knobs().stream().map(k -> scales(k, old.template())
                 ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k)
-                        .toList();
-        return new Fitter.State(new Candidate(template, knobs, old.added(), old.freeWays()), state.x(), state.cost(), state.square(), state.raw(),
-                state.errors(), state.slopes(), state.frame());
+                .toList();
+        return new Fitter.State(new Candidate(template, knobs, old.added(), old.freeWays()), state.x(), state.cost(), state.square(),
+                state.raw(), state.errors(), state.slopes(), state.frame());
     }
 
     private boolean scales(Knob knob, Assembly assembly) {

@@ -9,8 +9,8 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
 
 /**
- * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link wbv.diagnosis.fit.Whitening} has it, and
- * products {@code xᴴ S⁻¹ y}, by the formula of Sherman and Morrison (1950) for one source after the other.
+ * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link wbv.diagnosis.fit.Whitening} has it,
+ * and products {@code xᴴ S⁻¹ y}, by the formula of Sherman and Morrison (1950) for one source after the other.
  */
 public final class NoiseMetric {
 

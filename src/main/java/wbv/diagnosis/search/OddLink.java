@@ -16,8 +16,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
  *
  * <p>The model's own numbers tell. How far off they are is read from the other links, s in ln k and ln c; held to that, the link
  * pays {@code (ln k/k₀)²/s²}, and a mechanism that fits with the number as it was given pays nothing. The difference is twice the
- * logarithm of the odds, as in the hierarchical model where all numbers share one scale of error (Lindley and Smith, 1972). Not asked of a model that
- * stands for a simulation: its numbers were not given by anybody, and one that hardly matters may be identified as anything.
+ * logarithm of the odds, as in the hierarchical model where all numbers share one scale of error (Lindley and Smith, 1972). Not asked of a
+ * model that stands for a simulation: its numbers were not given by anybody, and one that hardly matters may be identified as anything.
  *
  * @param link  index of the link
  * @param scale s
@@ -34,7 +34,11 @@ record OddLink(int link, double scale, double moved) {
     private static final double CAME_BACK = 0.5;
     private static final int STEPS_AGAIN = 12;
 
-    /** The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with. @param base with its derivatives */
+    /**
+     * The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with.
+     *
+     * @param base with its derivatives
+     */
     static Optional<OddLink> in(Fitter.State base) {
         double[][] curvature = new Normal(base).curvature();
         int given = base.x().length - base.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();

@@ -16,9 +16,9 @@ import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach; where a
- * fit needs all of that from one sensor and not from the others, nothing is left to be explained, and yet that sensor is at fault. The channels of a
- * device have one clock: that they are late together is as rare as that one is, where the sum of their squares is.
+ * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach;
+ * where a fit needs all of that from one sensor and not from the others, nothing is left to be explained, and yet that sensor is at fault.
+ * The channels of a device have one clock: that they are late together is as rare as that one is, where the sum of their squares is.
  */
 public final class OddSensor {
 
@@ -61,7 +61,10 @@ public final class OddSensor {
         return new Place(Place.Kind.DEVICE, output).channels(evidence);
     }
 
-    /** Sensors whose delays stand at their bounds, devices all of whose channels are late or early by as much together: first outputs of them. */
+    /**
+     * Sensors whose delays stand at their bounds, devices all of whose channels are late or early by as much together: first outputs of
+     * them.
+     */
     private List<Integer> odd(Fitter.State fit) {
         double deviation = SmallError.Kind.DELAY.deviation() * evidence.sample();
         return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {

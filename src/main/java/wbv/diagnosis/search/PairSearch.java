@@ -23,8 +23,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /**
  * The search for two mechanisms at once. Each hides the other: with one of them missing, the fit bends the model to make up for it. So
  * two places are looked for that explain together what is left, and each mechanism is found while whatever acts at the other place is
- * ignored. Where sensors are too few for that, a second is added to the best first ones. What is found is compared as all else is: a second part
- * pays for having been chosen among all that could stand there, see {@link Chosen}.
+ * ignored. Where sensors are too few for that, a second is added to the best first ones. What is found is compared as all else is: a second
+ * part pays for having been chosen among all that could stand there, see {@link Chosen}.
  */
 public final class PairSearch {
 
@@ -169,7 +169,8 @@ public final class PairSearch {
     }
 
     /**
-     * Hypotheses that may make a pair with the one of a fit: where whatever enters at two places leaves much, no two mechanisms there will do.
+     * Hypotheses that may make a pair with the one of a fit: where whatever enters at two places leaves much, no two mechanisms there will
+     * do.
      *
      * @param places pairs of places that were looked at @param enough what they may leave
      */

@@ -17,7 +17,10 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
-/** Two mechanisms at two places, each found while whatever acts at the other's place is ignored, then fitted together. Proposes, and decides nothing. */
+/**
+ * Two mechanisms at two places, each found while whatever acts at the other's place is ignored, then fitted together. Proposes, and decides
+ * nothing.
+ */
 final class PlacePairs {
 
     private static final int FIRSTS = 2;
@@ -127,7 +130,10 @@ final class PlacePairs {
                 && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
     }
 
-    /** A mechanism that was found while a place was ignored, and on top of it one there, from the numbers of the model that fitted beside that place. */
+    /**
+     * A mechanism that was found while a place was ignored, and on top of it one there, from the numbers of the model that fitted beside
+     * that place.
+     */
     private Optional<Fitter.State> onTop(Fitter.State shown, Place ignored) {
         Candidate first = shown.candidate();
         Fitter.State bent = search.base(first, shown.x());

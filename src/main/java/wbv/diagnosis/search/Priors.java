@@ -3,14 +3,16 @@ package wbv.diagnosis.search;
 import java.util.Map;
 
 /**
- * What is believed before a recording is seen, and from when on something is said, as numbers with units and sources. How sharply fits tell is not
- * believed but measured: {@link Calibration}.
+ * What is believed before a recording is seen, and from when on something is said, as numbers with units and sources. How sharply fits tell
+ * is not believed but measured: {@link Calibration}.
  *
  * @param held     probability from which on one name is the answer, and that the names of a set hold together [1]
- * @param unlisted part of a mismatch that the best of the library is supposed to leave where the right law is none of it [1]: more than any of 101
- *                 right names left, of which 95 left a tenth at most, and the worst 0.24
- * @param form     part of its own force to which a formula that is right may be wrong [1]: right families of other formulas left a tenth at most
- * @param carried  part of what is missing that has to go with a law on data that were not used, for the law to be claimed [1]: more than what stays
+ * @param unlisted part of a mismatch that the best of the library is supposed to leave where the right law is none of it [1]: more than any
+ *                 of 101 right names left, of which 95 left a tenth at most, and the worst 0.24
+ * @param form     part of its own force to which a formula that is right may be wrong [1]: right families of other formulas left a tenth at
+ *                 most
+ * @param carried  part of what is missing that has to go with a law on data that were not used, for the law to be claimed [1]: more than
+ *                 what stays
  * @param chance   probability with which chance may seem to be an improvement [1]
  */
 public record Priors(double held, double unlisted, double form, double carried, double chance) {

@@ -21,8 +21,9 @@ import wbv.diagnosis.mechanism.Hypothesis;
 public final class Refinement {
 
     /**
-     * Below this much of the noise nothing is missing that a recording could show: of 107 recordings in which nothing was concealed, with sensors and
-     * sitters as they are, the fits leave 1.02 with a standard deviation of 0.03 (rig) to 0.05 (road) and never more than 1.13, on either window.
+     * Below this much of the noise nothing is missing that a recording could show: of 107 recordings in which nothing was concealed, with
+     * sensors and sitters as they are, the fits leave 1.02 with a standard deviation of 0.03 (rig) to 0.05 (road) and never more than 1.13,
+     * on either window.
      */
     public static final double SILENT = 1.2;
     /** What is more cannot be the noise by any chance. */
@@ -138,7 +139,8 @@ public final class Refinement {
             return;
         }
         heat.sort(LEAST);
-        int most = heat.get(0).excess() < PROMISING * excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
+        // No leader yet: look farther down.
+        int most = heat.get(0).excess() < PROMISING * excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;
         List<Trial> near = heat.subList(0, near(heat, most));
         List<Trial> further = Parallel.map(near, Trial::onward);
         for (int i = 0; i < further.size(); i++) {

@@ -22,7 +22,10 @@ import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Scene;
 
-/** The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits alike. */
+/**
+ * The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits
+ * alike.
+ */
 public final class Search {
 
     /** Single mechanisms that are fitted to the end. */
@@ -56,7 +59,11 @@ public final class Search {
         return fitter;
     }
 
-    /** The user's model with no physics added, fitted from every start. With its derivatives. @param baseline of the evidence, see {@link Baseline} */
+    /**
+     * The user's model with no physics added, fitted from every start. With its derivatives.
+     *
+     * @param baseline of the evidence, see {@link Baseline}
+     */
     public Fitter.State base(Candidate baseline) {
         return evidence.known().base(() -> fromAll(baseline));
     }
@@ -177,7 +184,9 @@ public final class Search {
         return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
     }
 
-    /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds. */
+    /**
+     * Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds.
+     */
     public static boolean extreme(Fitter.State fit) {
         Hypothesis last = fit.candidate().last();
         return Arrays.stream(fit.candidate().positions(last)).anyMatch(i -> {

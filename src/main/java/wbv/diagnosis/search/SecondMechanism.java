@@ -16,8 +16,8 @@ import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * A second mechanism beside one that leaves little: too little to be seen before the first was named. Either a number of the model still has to
- * be far off, which a memory would spare it, or what is left goes with one more hypothesis, on data not used as well.
+ * A second mechanism beside one that leaves little: too little to be seen before the first was named. Either a number of the model still
+ * has to be far off, which a memory would spare it, or what is left goes with one more hypothesis, on data not used as well.
  */
 public final class SecondMechanism {
 
@@ -77,7 +77,10 @@ public final class SecondMechanism {
                 .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
     }
 
-    /** The likeliest places of those from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
+    /**
+     * The likeliest places of those from which what is left comes clearly more likely than from where the first mechanism acts, whose form
+     * is never the last word.
+     */
     private Set<Place> elsewhere(Fitter.State single) {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));

@@ -27,7 +27,12 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     /** Relative gain below which a heat's fit ends. */
     private static final double ENOUGH = 2e-3;
 
-    /** What hypotheses are tried on. @param fitter for what lies near the base @param base what they stand on, fitted on all data, with its derivatives if any are known */
+    /**
+     * What hypotheses are tried on.
+     *
+     * @param fitter for what lies near the base
+     * @param base what they stand on, fitted on all data, with its derivatives if any are known
+     */
     record Ground(Fitter fitter, Fitter.State base) {
 
         static Ground of(Fitter fitter, Fitter.State base) {
@@ -79,7 +84,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     }
 
     /**
-     * The best of fits from every start, the model's own numbers as the user gave them, since those fitted without the hypothesis mean nothing.
+     * The best of fits from every start, the model's own numbers as the user gave them, since those fitted without the hypothesis mean
+     * nothing.
      *
      * @param gains by which the model may be stiffer, heavier and more damped all at once (logarithms): what the given one may have missed
      */

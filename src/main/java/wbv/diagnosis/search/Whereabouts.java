@@ -64,15 +64,19 @@ public final class Whereabouts {
         return new Whereabouts(evidence, baseline, Places.of(List.of(), true), hypothesis -> true);
     }
 
-    /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
+    /**
+     * It is known to be one of some.
+     *
+     * @param places by their plain names, likeliest first, with the model's numbers as they fit beside each
+     */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
         List<Known.Ignoring> found = places.keySet().stream().map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
         return new Whereabouts(evidence, baseline, Places.of(found, true), hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
     /**
-     * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force, which
-     * nobody knows yet, may be what makes one body look better than all other places.
+     * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force,
+     * which nobody knows yet, may be what makes one body look better than all other places.
      *
      * @param baseline what may explain a part of the mismatch already @param x of that as it was fitted. Not modified.
      */
@@ -93,7 +97,9 @@ public final class Whereabouts {
         return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
     }
 
-    /** Whether all data show no more beside the likeliest place than those do on which the places were found; true where outputs tell none. */
+    /**
+     * Whether all data show no more beside the likeliest place than those do on which the places were found; true where outputs tell none.
+     */
     private boolean hold() {
         if (places.found().isEmpty()) {
             return true;

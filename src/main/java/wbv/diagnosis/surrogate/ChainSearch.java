@@ -28,14 +28,14 @@ import wbv.recording.Clock;
 import wbv.recording.Recording;
 
 /**
- * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or a link more as long
- * as each halves what is missed, in another order where nothing else helps. Where none is found that does all of it, the simulation is no such net, and
- * what is missed says nothing of where bodies and links are missing: then it is taken for what most are, a person who leans on a backrest, with soft
- * parts that swing in the trunk.
+ * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or a link
+ * more as long as each halves what is missed, in another order where nothing else helps. Where none is found that does all of it, the
+ * simulation is no such net, and what is missed says nothing of where bodies and links are missing: then it is taken for what most are, a
+ * person who leans on a backrest, with soft parts that swing in the trunk.
  *
- * <p>What a base's motion does to bodies tells their masses ill, once a chain is not all that there is: one that misses 2 % may put a third of a
- * person into the seat, and then carries a force in a link wrongly by a half. So a segment's mass is expected to be about what such a segment weighs,
- * and the more so, the more the arrangement misses; where it misses nothing the masses are the data's.
+ * <p>What a base's motion does to bodies tells their masses ill, once a chain is not all that there is: one that misses 2 % may put a third
+ * of a person into the seat, and then carries a force in a link wrongly by a half. So a segment's mass is expected to be about what such a
+ * segment weighs, and the more so, the more the arrangement misses; where it misses nothing the masses are the data's.
  */
 final class ChainSearch {
 
@@ -65,13 +65,16 @@ final class ChainSearch {
     /** Damping ratio of a link under what it carries, where fits start: a sitter's is 0.2 to 0.5 (assumed). */
     static final double RATIO = 0.3;
     /**
-     * What rests on a seat, by location [kg]: a man of 73 kg (de Leva 1996: head and neck 6.9 %, chest and abdomen 32 %, arms 10 %, pelvis 11 %, thighs
-     * 28 %, of which the seat carries half); a seat's frame and cushion are assumed. Only their ratios count.
+     * What rests on a seat, by location [kg]: a man of 73 kg (de Leva 1996: head and neck 6.9 %, chest and abdomen 32 %, arms 10 %, pelvis
+     * 11 %, thighs 28 %, of which the seat carries half); a seat's frame and cushion are assumed. Only their ratios count.
      */
-    static final Map<String, Double> USUAL_MASS = Map.ofEntries(Map.entry("seat", 10.0), Map.entry("cushion", 3.0), Map.entry("pelvis", 19.0),
-            Map.entry("abdomen", 12.0), Map.entry("lumbar", 12.0), Map.entry("torso", 31.0), Map.entry("trunk", 31.0), Map.entry("chest", 31.0),
-            Map.entry("sternum", 31.0), Map.entry("neck", 1.5), Map.entry("head", 5.0));
-    /** By what natural logarithm such a mass differs from one person, seat and cut through the body to the next: a factor of 1.5, assumed. */
+    static final Map<String,
+            Double> USUAL_MASS = Map.ofEntries(Map.entry("seat", 10.0), Map.entry("cushion", 3.0), Map.entry("pelvis", 19.0),
+                    Map.entry("abdomen", 12.0), Map.entry("lumbar", 12.0), Map.entry("torso", 31.0), Map.entry("trunk", 31.0),
+                    Map.entry("chest", 31.0), Map.entry("sternum", 31.0), Map.entry("neck", 1.5), Map.entry("head", 5.0));
+    /**
+     * By what natural logarithm such a mass differs from one person, seat and cut through the body to the next: a factor of 1.5, assumed.
+     */
     static final double MASS_SPREAD = 0.4;
     /** Where the search for it ends: what so wide a spread leaves out is one in fifteen thousand. */
     private static final double FARTHEST_MASS = 4 * MASS_SPREAD;
@@ -176,7 +179,9 @@ final class ChainSearch {
         return Parallel.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
     }
 
-    /** The measured bodies as a person's on a seat, where they are: from the seat's frame a backrest to the trunk, and soft parts in that. */
+    /**
+     * The measured bodies as a person's on a seat, where they are: from the seat's frame a backrest to the trunk, and soft parts in that.
+     */
     private List<Model> seated() {
         Optional<String> trunk = outputs.stream().map(Channel::location).filter(TRUNK::contains).findFirst();
         int at = trunk.map(name -> outputs.stream().map(Channel::location).toList().indexOf(name)).orElse(0);

@@ -13,16 +13,20 @@ import wbv.recording.Quantity;
 import wbv.recording.Recording;
 
 /**
- * What the base's other channels add to an output beside the input: all of them, the input too, through finite impulse responses that are fitted
- * together by least squares (Wiener 1949, Levinson 1947), from a little before to a second after, in steps of about a 60th of a second, which is as
- * fine as what moves a sitter. The input has to be among them: on any ride it goes partly with the others, which would be taken for what it does.
+ * What the base's other channels add to an output beside the input: all of them, the input too, through finite impulse responses that are
+ * fitted together by least squares (Wiener 1949, Levinson 1947), from a little before to a second after, in steps of about a 60th of a
+ * second, which is as fine as what moves a sitter. The input has to be among them: on any ride it goes partly with the others, which would
+ * be taken for what it does.
  */
 final class OtherInputs {
 
     private static final double STEP = 1.0 / 60;
     private static final int BEFORE = 3;
     private static final int AFTER = 60;
-    /** Part of each channel's power that is added to it, so that what none of them tells stays small: a simulation's rounding, not a sensor's noise. */
+    /**
+     * Part of each channel's power that is added to it, so that what none of them tells stays small: a simulation's rounding, not a
+     * sensor's noise.
+     */
     private static final double RIDGE = 1e-5;
     private static final Set<Quantity> MOTION = Set.of(Quantity.ACCELERATION, Quantity.ANGULAR_RATE);
 

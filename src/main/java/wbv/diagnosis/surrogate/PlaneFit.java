@@ -12,9 +12,9 @@ import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
 
 /**
- * Moves the numbers of a {@link PlaneNet} until its sensors read what was computed: Levenberg (1944) and Marquardt (1963) on spectra, with derivatives that are
- * exact but for those of the matrices. What is missed of an output, as a share of it, counts once a mode, not by line: an arrangement that is not the right one
- * errs by mode. The numbers are expected where they are usual.
+ * Moves the numbers of a {@link PlaneNet} until its sensors read what was computed: Levenberg (1944) and Marquardt (1963) on spectra, with
+ * derivatives that are exact but for those of the matrices. What is missed of an output, as a share of it, counts once a mode, not by line:
+ * an arrangement that is not the right one errs by mode. The numbers are expected where they are usual.
  */
 final class PlaneFit {
 
@@ -24,12 +24,21 @@ final class PlaneFit {
     private static final double SETTLED = 1e-4;
     /** Times a number's own curvature: a step is then nothing beside any number's spread. */
     private static final double MOST_DAMPING = 1e8;
-    /** Of central differences of the matrices, over a number's spread: the cube root of what a double rounds by, nearly, where their two errors are alike. */
+    /**
+     * Of central differences of the matrices, over a number's spread: the cube root of what a double rounds by, nearly, where their two
+     * errors are alike.
+     */
     private static final double STEP = 1e-5;
     /** Work is dealt out in so many pieces, whatever the cores, so that sums do not hang on them. */
     private static final int PIECES = 8;
 
-    /** What is fitted. @param read index among the readings of a net: three for a measured part @param rate whether it is an angular rate, not an acceleration @param lines its spectrum. Not copied */
+    /**
+     * What is fitted.
+     *
+     * @param read index among the readings of a net: three for a measured part
+     * @param rate whether it is an angular rate, not an acceleration
+     * @param lines its spectrum. Not copied
+     */
     record Output(int read, boolean rate, double[] lines) { }
 
     /** A net that was fitted. @param missed share of each output @param cost what the fit lowers */
@@ -46,7 +55,8 @@ final class PlaneFit {
     private final double share;
 
     /**
-     * @param omega   angular frequency of each line [rad/s] @param base spectra of its acceleration along x, along z and about y; real and imaginary part of a line
+     * @param omega   angular frequency of each line [rad/s]
+     * @param base spectra of its acceleration along x, along z and about y; real and imaginary part of a line
      *                side by side. Not modified.
      * @param share   of an output that may be missed, its standard deviation
      */

@@ -12,8 +12,8 @@ import java.util.stream.Stream;
 import wbv.body.Model;
 
 /**
- * Rigid bodies in the plane of x and z on a base that moves along both and pitches, joined along x and z and about y at points, as numbers that a fit
- * moves: masses, inertias, stiffness and damping by their logarithm, places in m. To first order, see {@link wbv.body.Plane}.
+ * Rigid bodies in the plane of x and z on a base that moves along both and pitches, joined along x and z and about y at points, as numbers
+ * that a fit moves: masses, inertias, stiffness and damping by their logarithm, places in m. To first order, see {@link wbv.body.Plane}.
  *
  * @param parts  bodies, those with sensors first
  * @param joints between them
@@ -35,8 +35,8 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     }
 
     /**
-     * A body: the logarithm of its mass [kg], its centre's x and z; one with sensors turns, and has the logarithm of its inertia about that [kg m²] and the x
-     * and z of its sensors behind them.
+     * A body: the logarithm of its mass [kg], its centre's x and z; one with sensors turns, and has the logarithm of its inertia about that
+     * [kg m²] and the x and z of its sensors behind them.
      */
     record Part(String name, boolean measured, Numbers numbers) {
         int motions() {
@@ -65,8 +65,8 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     }
 
     /**
-     * Between two bodies: the logarithms of stiffness and damping along x and z; between two that turn the x and z of its point, and the logarithms of stiffness
-     * and damping about y, behind them. What does not turn is held at its centre.
+     * Between two bodies: the logarithms of stiffness and damping along x and z; between two that turn the x and z of its point, and the
+     * logarithms of stiffness and damping about y, behind them. What does not turn is held at its centre.
      *
      * @param lower index of a part, -1 for the base
      */

@@ -9,20 +9,26 @@ import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 
 /**
- * Looks for rigid bodies in a plane that do what was computed of places that move along x and z and pitch: the places in a chain from the base upwards, a
- * trunk against a backrest, then a joint or a body that nobody measured more as long as each halves what is missed.
+ * Looks for rigid bodies in a plane that do what was computed of places that move along x and z and pitch: the places in a chain from the
+ * base upwards, a trunk against a backrest, then a joint or a body that nobody measured more as long as each halves what is missed.
  */
 final class PlaneSearch {
 
     /** Steps from each start, after which only the best goes on: the first ten bring most of the gain. */
     private static final int TRIED = 15;
 
-    /** A place on a person who sits. @param x forward of the base's sensor, @param z above it, where that is below the cushion [m] @param gyration radius of [m] */
+    /**
+     * A place on a person who sits.
+     *
+     * @param x forward of the base's sensor,
+     * @param z above it, where that is below the cushion [m]
+     * @param gyration radius of [m]
+     */
     private record Usual(double x, double z, double gyration) { }
 
     /**
-     * Places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment); of seat and cushion assumed. The fit moves them; only what the
-     * computed motion does not tell stays.
+     * Places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment); of seat and cushion assumed. The fit moves them;
+     * only what the computed motion does not tell stays.
      */
     private static final Map<String, Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(0, 0.05, 0.2)), Map.entry("cushion", new Usual(0, 0.05, 0.15)),
             Map.entry("pelvis", new Usual(0, 0.12, 0.15)), Map.entry("abdomen", new Usual(0, 0.25, 0.13)), Map.entry("lumbar", new Usual(-0.05, 0.25, 0.13)),
@@ -41,12 +47,18 @@ final class PlaneSearch {
     private static final double FORCE_SPREAD = 1.5;
     /** Where the base's sensor sits below what carries the sitter [m]: under the cushion, or on the floor. */
     private static final double[] BELOW = {0, 0.4};
-    /** Natural frequencies that what each joint carries would have on it alone, where fits start [Hz]: of the lowest joint, and of the others. */
+    /**
+     * Natural frequencies that what each joint carries would have on it alone, where fits start [Hz]: of the lowest joint, and of the
+     * others.
+     */
     private static final double[][] STARTS = {{4, 8}, {15, 10}};
     /** Part of what it carries by which a backrest holds. */
     private static final double BACKREST = 0.2;
     private static final double BACKREST_X = -0.12;
-    /** Where a joint holds below the lowest place [m], and at what arm joints resist turning, where fits start [m]: a cushion as wide as a seat, a spine. */
+    /**
+     * Where a joint holds below the lowest place [m], and at what arm joints resist turning, where fits start [m]: a cushion as wide as a
+     * seat, a spine.
+     */
     private static final double CUSHION_BELOW = 0.1;
     private static final double CUSHION_ARM = 0.3;
     private static final double SPINE_ARM = 0.15;
@@ -143,7 +155,13 @@ final class PlaneSearch {
         return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at, new double[] {ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
     }
 
-    /** A joint on which a mass swings at a frequency. @param arm at which it holds against turning [m] @param x of its point @param z likewise */
+    /**
+     * A joint on which a mass swings at a frequency.
+     *
+     * @param arm at which it holds against turning [m]
+     * @param x of its point
+     * @param z likewise
+     */
     private static PlaneNet.Joint joint(int lower, int upper, double mass, double frequency, double arm, double x, double z) {
         double omega = 2 * Math.PI * frequency;
         double stiffness = Math.log(mass * omega * omega);

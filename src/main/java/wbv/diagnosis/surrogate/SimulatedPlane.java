@@ -22,8 +22,8 @@ import wbv.recording.Quantity;
 import wbv.recording.Recording;
 
 /**
- * What a simulation did in the plane of x and z on a base that moves along both: the places of which it gave more than the motion along z, and the rigid bodies
- * that do the same.
+ * What a simulation did in the plane of x and z on a base that moves along both: the places of which it gave more than the motion along z,
+ * and the rigid bodies that do the same.
  */
 final class SimulatedPlane {
 
@@ -48,7 +48,10 @@ final class SimulatedPlane {
     /**
      * The plane of a simulation; none where the base was recorded along one axis alone, or the simulation gave only what moves along z.
      *
-     * @param recording of the base @param simulated by channel, as long as that @param input the base's motion along z @param moving the places that do not just move with it
+     * @param recording of the base
+     * @param simulated by channel, as long as that
+     * @param input the base's motion along z
+     * @param moving the places that do not just move with it
      */
     static Optional<SimulatedPlane> of(Recording recording, Map<Channel, double[]> simulated, Channel input, List<String> moving) {
         List<Channel> axes = inPlane(input.location()).stream().filter(recording::has).toList();
@@ -165,8 +168,8 @@ final class SimulatedPlane {
     }
 
     /**
-     * Seen through Hann's window: what a body does late by τ is then wrong by about πτ over the length, a thousandth of a record of minutes, where a window with
-     * steeper ends is wrong by percents.
+     * Seen through Hann's window: what a body does late by τ is then wrong by about πτ over the length, a thousandth of a record of
+     * minutes, where a window with steeper ends is wrong by percents.
      */
     private double[] spectrum(Channel channel) {
         double[] x = together.values(channel).clone();

@@ -32,9 +32,9 @@ import wbv.recording.Recording;
  * The linear model that does what a simulation did of which only the outputs are known: bodies in a chain, one for each output,
  * and others where these alone do not do it, fitted to the simulation as driven by the recording's input.
  *
- * <p>What the model misses of the simulation is no error of the simulation: it is kept beside the model, as channels of the recording that move the
- * sensors too, so that both together are the simulation, whatever moved it; the model has to say only what changes where its numbers do or something is
- * added.
+ * <p>What the model misses of the simulation is no error of the simulation: it is kept beside the model, as channels of the recording that
+ * move the sensors too, so that both together are the simulation, whatever moved it; the model has to say only what changes where its
+ * numbers do or something is added.
  *
  * <p>Accelerations know masses, stiffness and damping only up to a common factor: the mass of all bodies is assumed.
  *
@@ -58,8 +58,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     private static final double RIGID = 0.01;
 
     /**
-     * Diagnoses what a simulation leaves out of a recording. First the two are held against each other as they are; only where sensors and a person
-     * who sits still do not explain the difference is a model needed that does what the simulation did.
+     * Diagnoses what a simulation leaves out of a recording. First the two are held against each other as they are; only where sensors and
+     * a person who sits still do not explain the difference is a model needed that does what the simulation did.
      *
      * @param simulation what a simulation gave, channels named as the recording's and on its clock; the rest is left out
      * @param name       what messages call the simulation
@@ -69,8 +69,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
      * @param progress   told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the two have no output or no time in common, or differ and no chain does what the simulation did
      */
-    public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
-                                   BiConsumer<String, Double> progress) {
+    public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise,
+            boolean unitsKnown, BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
         Optional<InPlane> plane = driven.plane(simulation);
         Optional<Examined> silent = silent(driven, plane, noise, unitsKnown, progress);
@@ -82,9 +82,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
     }
 
-    /** As {@link #examine}, where sensors and a person who sits still explain the difference; empty where they do not, and no more is looked for. */
-    public static Optional<Examined> unremarkable(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
-                                                  BiConsumer<String, Double> progress) {
+    /**
+     * As {@link #examine}, where sensors and a person who sits still explain the difference; empty where they do not, and no more is looked
+     * for.
+     */
+    public static Optional<Examined> unremarkable(Recording recording, Recording simulation, String name, Channel input,
+            OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
         return silent(driven, driven.plane(simulation), noise, unitsKnown, progress);
     }
@@ -124,8 +127,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
      * @param held   whether the input was held over each sample
      * @param others channels of the base that did the rest
      */
-    private record Driven(Recording recording, Recording driven, Map<Channel, double[]> simulated, boolean held, List<Channel> others, String name,
-                          Channel input, List<Channel> outputs) {
+    private record Driven(Recording recording, Recording driven, Map<Channel, double[]> simulated, boolean held, List<Channel> others,
+            String name, Channel input, List<Channel> outputs) {
 
         static Driven of(Recording recording, Recording simulation, String name, Channel input) {
             if (input.quantity() != Quantity.ACCELERATION || !recording.has(input)) {
@@ -205,7 +208,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
             return with(model, own, plane::given, errors);
         }
 
-        /** With what the simulation gave beside a model. @param own what the model's sensors read, in its order @param given what the simulation gave of each */
+        /**
+         * With what the simulation gave beside a model.
+         *
+         * @param own what the model's sensors read, in its order
+         * @param given what the simulation gave of each
+         */
         private Surrogate with(Model model, double[][] own, Function<Channel, double[]> given, Map<Channel, Double> errors) {
             Map<Channel, double[]> channels = new LinkedHashMap<>();
             recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
@@ -363,9 +371,11 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     private void require(Channel input) {
         for (Map.Entry<Channel, Double> entry : errors.entrySet()) {
             if (entry.getValue() > MOST) {
-                throw DataFault.in(name, text("as it is, it leaves more of the recording than sensors do, and no chain of bodies driven by %s does what it "
-                        + "does: the nearest, %s, misses %.3g %% of %s, %.0f %% may be missed; is it the right input? If the simulation is not linear, "
-                        + "give a model (--model)", input, chain(), 100 * entry.getValue(), entry.getKey(), 100 * MOST));
+                throw DataFault.in(name,
+                        text("as it is, it leaves more of the recording than sensors do, and no chain of bodies driven by %s does what it "
+                                + "does: the nearest, %s, misses %.3g %% of %s, %.0f %% may be missed; is it the right input? If the "
+                                + "simulation is not linear, give a model "
+                                + "(--model)", input, chain(), 100 * entry.getValue(), entry.getKey(), 100 * MOST));
             }
         }
     }

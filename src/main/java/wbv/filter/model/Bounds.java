@@ -23,7 +23,10 @@ public final class Bounds implements Serializable {
         REAL,
         /** Imaginary part of the upper pole, ω√(1 - ζ²) [rad/s]; &gt;= 0, and 0 for ζ &gt;= 1. */
         IMAGINARY,
-        /** Share κ of the damping that acts against the base [1]; of a {@link wbv.filter.EstimatorDesign#withSkyhook body that has one}, mode 0 only. */
+        /**
+         * Share κ of the damping that acts against the base [1]; of a {@link wbv.filter.EstimatorDesign#withSkyhook body that has one},
+         * mode 0 only.
+         */
         BASE_SHARE,
         /** The body's output [m/s² or rad/s], gravity and bias of the sensor not counted; of mode 0 only. */
         OUTPUT

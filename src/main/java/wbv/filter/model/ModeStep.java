@@ -260,7 +260,13 @@ public final class ModeStep implements Serializable {
         }
     }
 
-    /** Moves a state over the step. Thesis: Eq. 5-2, 6-2. @param c coefficients of the input. Not modified. @param xi Modified. @param at place of v in it */
+    /**
+     * Moves a state over the step. Thesis: Eq. 5-2, 6-2.
+     *
+     * @param c coefficients of the input. Not modified.
+     * @param xi Modified.
+     * @param at place of v in it
+     */
     void move(double[] c, int points, double[] xi, int at) {
         double v = e[0] * xi[at] + e[1] * xi[at + 1];
         double w = e[2] * xi[at] + e[3] * xi[at + 1];

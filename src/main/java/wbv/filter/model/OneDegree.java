@@ -34,7 +34,14 @@ public final class OneDegree implements BodyModel {
         this(2 * Math.PI * spec.frequency(), spec.frequency(), spec.damping(), spec.rate(), slopes);
     }
 
-    /** A body at rest. @param reference ω_ref [rad/s]  @param frequency to start from [Hz]  @param damping to start from  @param rate [Hz] */
+    /**
+     * A body at rest.
+     *
+     * @param reference ω_ref [rad/s]
+     * @param frequency to start from [Hz]
+     * @param damping to start from
+     * @param rate [Hz]
+     */
     public OneDegree(double reference, double frequency, double damping, double rate, boolean slopes) {
         this.reference = reference;
         this.startFrequency = frequency;

@@ -68,7 +68,12 @@ public final class Sensitivity implements Serializable, Snapshot {
         }
     }
 
-    /** Hears the output after the step. @param xi after the step. Not modified. @param hold whether nothing is to be estimated just now, or nothing excites the body */
+    /**
+     * Hears the output after the step.
+     *
+     * @param xi after the step. Not modified.
+     * @param hold whether nothing is to be estimated just now, or nothing excites the body
+     */
     public void hear(double[] xi, boolean hold) {
         model.outputRow(row);
         for (int i = 0; i < v.length; i++) {

@@ -26,9 +26,10 @@ import wbv.recording.Unit;
  *  "patterns": [{"column": "{location}_w{axis}_dps", "channel": "{location}.gyr.{axis}", "unit": "deg/s"}]}
  * }</pre>
  *
- * <p>A table without a column of times has {@code "time": {"rate_hz": 100}} instead; a file that knows its times or its rate, such as a WAV,
- * needs no {@code time}. {@code "from_zero": true} counts times from the first row's. {@code scale} multiplies after the unit; -1 turns an
- * axis round, and of a WAV it is what full scale means. {@code questions} are what a draft ({@link MapDraft}) could not know; they change nothing.
+ * <p>A table without a column of times has {@code "time": {"rate_hz": 100}} instead; a file that knows its times or its rate, such as a
+ * WAV, needs no {@code time}. {@code "from_zero": true} counts times from the first row's. {@code scale} multiplies after the unit; -1
+ * turns an axis round, and of a WAV it is what full scale means. {@code questions} are what a draft ({@link MapDraft}) could not know; they
+ * change nothing.
  *
  * @param name     what the map is called in messages: its file
  * @param time     where the time comes from

@@ -30,15 +30,17 @@ import wbv.recording.signals.UnitWords;
  * @param timed  whether the file knows its times without a map
  * @param asked  what no file of this kind says
  */
-record ForeignTable(String where, List<Label> labels, List<Optional<String>> units, double[][] values, Optional<String> time, OptionalDouble rate,
-                    boolean timed, Optional<String> asked) {
+record ForeignTable(String where, List<Label> labels, List<Optional<String>> units, double[][] values, Optional<String> time,
+        OptionalDouble rate, boolean timed, Optional<String> asked) {
 
     /** Rows that are looked at. */
     private static final int ROWS = 300;
     /** Rows of numbers that a table begins with. */
     private static final int ENOUGH = 3;
-    private static final String FULL_SCALE = "What is full scale? Whole numbers of a WAV are shares of it: write it as the \"scale\" of each channel.";
-    private static final Pattern RATE = Pattern.compile("(?i)(?:sampl\\w*[ _]?(?:rate|freq\\w*)|update rate|\\bfs)\\W+([0-9]+(?:[.,][0-9]+)?)\\s*(k?)(?:hz)?");
+    private static final String FULL_SCALE = "What is full scale? Whole numbers of a WAV are shares of it: write it as the \"scale\" of "
+            + "each channel.";
+    private static final Pattern RATE = Pattern
+            .compile("(?i)(?:sampl\\w*[ _]?(?:rate|freq\\w*)|update rate|\\bfs)\\W+([0-9]+(?:[.,][0-9]+)?)\\s*(k?)(?:hz)?");
 
     /** Looks into a file. @throws DataFault if it holds no table */
     static ForeignTable of(Path path) throws IOException {
@@ -61,8 +63,9 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
                 rows.add(row.clone());
             }
             List<Optional<String>> none = signals.labels().stream().map(label -> Optional.<String>empty()).toList();
-            return new ForeignTable("a " + kind + " file", signals.labels(), none, columns(rows, row.length), signals.time(), signals.rate(),
-                    signals.time().isPresent() || signals.rate().isPresent(), Optional.of(FULL_SCALE).filter(question -> kind == SignalKind.WAV));
+            return new ForeignTable("a " + kind + " file", signals.labels(), none, columns(rows, row.length), signals.time(),
+                    signals.rate(), signals.time().isPresent() || signals.rate().isPresent(),
+                    Optional.of(FULL_SCALE).filter(question -> kind == SignalKind.WAV));
         }
     }
 
@@ -105,8 +108,8 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
         for (int i = 0; i < names.size(); i++) {
             beside.add(units.isEmpty() ? Optional.empty() : Optional.of(units.get(i)));
         }
-        return new ForeignTable("a table parted by " + parted + (units.isEmpty() ? "" : ", with a row of units"), labels, beside, columns(rows, names.size()),
-                Optional.empty(), rate, false, Optional.empty());
+        return new ForeignTable("a table parted by " + parted + (units.isEmpty() ? "" : ", with a row of units"), labels, beside,
+                columns(rows, names.size()), Optional.empty(), rate, false, Optional.empty());
     }
 
     private static boolean ahead(List<String> lines, int from, char separator, int width) {

@@ -37,8 +37,8 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
             Map.entry("n", "N"), Map.entry("kn", "kN"), Map.entry("sec", "s"), Map.entry("v", "V"), Map.entry("mv", "mV"), Map.entry("degc", "°C"));
     private static final Map<String, Quantity> QUANTITIES = Map.ofEntries(
             Map.entry("a", Quantity.ACCELERATION), Map.entry("acc", Quantity.ACCELERATION), Map.entry("accel", Quantity.ACCELERATION),
-            Map.entry("linacc", Quantity.ACCELERATION), Map.entry("acceleration", Quantity.ACCELERATION), Map.entry("accelerometer", Quantity.ACCELERATION),
-            Map.entry("accg", Quantity.SPECIFIC_FORCE),
+            Map.entry("linacc", Quantity.ACCELERATION), Map.entry("acceleration", Quantity.ACCELERATION),
+            Map.entry("accelerometer", Quantity.ACCELERATION), Map.entry("accg", Quantity.SPECIFIC_FORCE),
             Map.entry("g", Quantity.ANGULAR_RATE), Map.entry("w", Quantity.ANGULAR_RATE), Map.entry("rot", Quantity.ANGULAR_RATE),
             Map.entry("gyr", Quantity.ANGULAR_RATE),
             Map.entry("gyro", Quantity.ANGULAR_RATE), Map.entry("gyroscope", Quantity.ANGULAR_RATE), Map.entry("omega", Quantity.ANGULAR_RATE),
@@ -62,7 +62,12 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
     /** A word of one letter says a quantity only where an axis stands beside it. */
     private static final int LETTER = 1;
 
-    /** Reads a name. @param given what is known of the column beside its name, which goes before @param beside a unit that stands in a row of its own */
+    /**
+     * Reads a name.
+     *
+     * @param given what is known of the column beside its name, which goes before
+     * @param beside a unit that stands in a row of its own
+     */
     static NameWords of(Label given, Optional<String> beside) {
         String rest = given.name();
         int number = 0;
@@ -111,10 +116,11 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
                 letters.add(word);
             } else if (QUANTITIES.containsKey(word)) {
                 quantity = quantity.or(() -> Optional.of(QUANTITIES.get(word)));
-            } else if (!word.isEmpty() && !TIMES.contains(word) && !MAGNITUDES.contains(word) && !LINEAR.contains(word) && !EMPTY_WORDS.contains(word)
-                    && !word.matches("\\d+")) {
-                places.add(word);
-            }
+            } else
+                if (!word.isEmpty() && !TIMES.contains(word) && !MAGNITUDES.contains(word) && !LINEAR.contains(word)
+                        && !EMPTY_WORDS.contains(word) && !word.matches("\\d+")) {
+                            places.add(word);
+                        }
         }
         if (quantity.isEmpty() && axis.isPresent() && !letters.isEmpty()) {
             quantity = Optional.of(QUANTITIES.get(letters.get(0)));

@@ -29,12 +29,13 @@ final class SensorReader implements RowReader {
     private double ticks;
 
     /**
-     * Reads the first row, for what its counter says. A first row that is all zeros, its counter too, is passed over where the next one is out of step
-     * with it: a DOT may send one before its first sample.
+     * Reads the first row, for what its counter says. A first row that is all zeros, its counter too, is passed over where the next one is
+     * out of step with it: a DOT may send one before its first sample.
      *
      * @param ticksPerSecond what the counter counts [Hz]
      * @param modulus        at what it begins again; a 16 bit counter that goes beyond 65535 is taken for one of 32 bit
-     * @param longest        step from one row to the next in ticks, beyond which a first row of zeros is out of step; infinite where it is always a sample
+     * @param longest        step from one row to the next in ticks, beyond which a first row of zeros is out of step; infinite where it is
+     *                       always a sample
      */
     SensorReader(DelimitedTable table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus, double longest)
             throws IOException {

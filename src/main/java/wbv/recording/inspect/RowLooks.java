@@ -39,7 +39,12 @@ public final class RowLooks {
         this.thinned = new ThinnedRows(looks.length, most);
     }
 
-    /** Looks at a row. @param row time [s], then the channels. Not modified, not kept. @param line where it stands, 0 where lines mean nothing */
+    /**
+     * Looks at a row.
+     *
+     * @param row time [s], then the channels. Not modified, not kept.
+     * @param line where it stands, 0 where lines mean nothing
+     */
     public void accept(double[] row, long line) {
         for (int i = 0; i < looks.length; i++) {
             looks[i].accept(row[1 + i], line);

@@ -50,7 +50,8 @@ final class HdfSignals {
     private static void add(MatrixColumns columns, Dataset dataset, String name, boolean matlab) {
         int[] sizes = dataset.getDimensions();
         Class<?> type = dataset.getJavaType();
-        boolean numbers = type.isPrimitive() && type != boolean.class && type != char.class || Number.class.isAssignableFrom(type); // alone, it is boxed
+        // Alone, it is boxed.
+        boolean numbers = type.isPrimitive() && type != boolean.class && type != char.class || Number.class.isAssignableFrom(type);
         boolean other = matlab && text(dataset, MATLAB).filter(kind -> kind.equals("char") || kind.equals("cell")).isPresent();
         if (!numbers || other || sizes.length > 2 || dataset.isEmpty()) {
             columns.addOther(name);

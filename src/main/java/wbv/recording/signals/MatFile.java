@@ -19,8 +19,8 @@ import wbv.recording.DataFault;
 
 /**
  * MATLAB's files of versions 5 to 7, by MFL. Channels are variables named {@code head_acc_z}, since a name in MATLAB has no dots; {@code t}
- * is the time [s], {@code fs} a rate [Hz]. Fields of a struct are signals too. Written uncompressed, as version 6: noise hardly compresses, and
- * MFL would need all of it in memory once more.
+ * is the time [s], {@code fs} a rate [Hz]. Fields of a struct are signals too. Written uncompressed, as version 6: noise hardly compresses,
+ * and MFL would need all of it in memory once more.
  */
 final class MatFile {
 

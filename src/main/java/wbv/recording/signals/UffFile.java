@@ -135,10 +135,12 @@ final class UffFile {
         String made = set.title().isEmpty() ? (place + " " + set.axis().map(axis -> (set.direction() < 0 ? "-" : "+") + axis).orElse("")).strip() : set.title();
         String name = taken.contains(made) ? made + " #" + number : made;
         Optional<Quantity> quantity = named.map(Channel::quantity).or(set::quantity);
-        Optional<String> unit = set.unit().isEmpty() ? quantity.filter(known -> factors.isPresent() && !known.unit().equals("V")).map(Quantity::unit)
-                : UnitWords.of(set.unit()).filter(symbol -> quantity.isEmpty() || Unit.of(symbol).orElseThrow().dimension().equals(quantity.get().unit()));
-        return new Label(name, Optional.of(named.map(Channel::location).orElse(place)), quantity, named.map(Channel::axis).or(set::axis), unit,
-                set.direction() < 0 ? -1 : 1);
+        Optional<String> unit = set.unit().isEmpty()
+                ? quantity.filter(known -> factors.isPresent() && !known.unit().equals("V")).map(Quantity::unit)
+                : UnitWords.of(set.unit())
+                        .filter(symbol -> quantity.isEmpty() || Unit.of(symbol).orElseThrow().dimension().equals(quantity.get().unit()));
+        return new Label(name, Optional.of(named.map(Channel::location).orElse(place)), quantity, named.map(Channel::axis).or(set::axis),
+                unit, set.direction() < 0 ? -1 : 1);
     }
 
     /** Entity where each has one node; else with the node's number. */

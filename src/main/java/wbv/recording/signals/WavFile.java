@@ -17,8 +17,8 @@ import wbv.recording.Clock;
 import wbv.recording.DataFault;
 
 /**
- * A WAV file (RIFF or RF64), frame by frame. Whole numbers of 8, 16, 24 and 32 bits are shares of full scale, -1 to 1; floating-point numbers
- * of 32 and 64 bits are as they stand. It knows its rate, but neither units nor names, unless wbv wrote them in its comment
+ * A WAV file (RIFF or RF64), frame by frame. Whole numbers of 8, 16, 24 and 32 bits are shares of full scale, -1 to 1; floating-point
+ * numbers of 32 and 64 bits are as they stand. It knows its rate, but neither units nor names, unless wbv wrote them in its comment
  * ({@code LIST INFO ICMT}): {@code channels: seat.acc.x,seat.acc.z; rate: 60.0 Hz}.
  *
  * <p>Java's own reader knows neither that comment nor RF64. Source: Microsoft and IBM, "Multimedia programming interface and data

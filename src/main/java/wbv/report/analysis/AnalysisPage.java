@@ -102,9 +102,11 @@ public final class AnalysisPage {
             }
             blocks.add(new Folded("Every other output over time", each));
         }
-        return new Section("Body over time", "A body of one degree of freedom as an extended Kalman filter follows it, whose memory ADWIN sets; "
-                + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ by how the estimate really scatters. The table is of the body that "
-                + "simulates the whole recording best.", blocks);
+        return new Section("Body over time",
+                "A body of one degree of freedom as an extended Kalman filter follows it, whose memory ADWIN sets; "
+                        + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ by how the estimate really "
+                        + "scatters. The table is of the body that simulates the whole recording best.",
+                blocks);
     }
 
     private Table bodyTable() {
@@ -165,8 +167,8 @@ public final class AnalysisPage {
         blocks.add(new Folded("The same results again: command, version, checksums", new Table("", List.of(Table.Column.words("What"),
                 Table.Column.words("Value")), made.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList()),
                 new Code("The same estimate as a MOA task, for the output shown first:", analysis.taskString())));
-        return new Section("Details", analysis.relay().sentence() + (made.containsKey("wbv") ? " Made by wbv " + made.get("wbv") + "." : ""),
-                blocks);
+        return new Section("Details",
+                analysis.relay().sentence() + (made.containsKey("wbv") ? " Made by wbv " + made.get("wbv") + "." : ""), blocks);
     }
 
     private int[] others() {

@@ -148,9 +148,11 @@ final class DiagnosisPage {
             }
         }
         return new Table("What was found. An interval is read off the curvature of the cost where that is a parabola, off the "
-                + "profile of the cost where it is not", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
-                Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"),
-                Table.Column.words("From")), rows);
+                + "profile of the cost where it is not",
+                List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
+                        Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"),
+                        Table.Column.words("From")),
+                rows);
     }
 
     /** Half the width; infinite where an end is open. */

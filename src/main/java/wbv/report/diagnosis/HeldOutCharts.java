@@ -44,8 +44,8 @@ final class HeldOutCharts {
         bars.addAll(bars(proofs));
         return new BarChart("Error on data that took no part in the fit", ChartAxis.linear("Error over signal, rms", "%"),
                 proofs.stream().map(Diagnosis.Proof::channel).toList(), bars,
-                "Free run on the recorded input, seen with the small errors that every sensor has. The noise floor is what noise leaves of a perfect "
-                + "model. " + WHISKERS);
+                "Free run on the recorded input, seen with the small errors that every sensor has. The noise floor is what noise leaves "
+                        + "of a perfect model. " + WHISKERS);
     }
 
     Section bands() {

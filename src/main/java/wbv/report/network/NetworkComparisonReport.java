@@ -64,9 +64,10 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    rows.add(new Row(evaluation.bodies().word(), row.method(), target(j, row.scores().size()), j % 2 == 0 ? "1" : "Hz", score.count(),
-                            score.missing(), score.rmse() / unit(j), score.deviation() / unit(j), score.standardised(), row.spread()[j], score.covered(),
-                            score.stated() / unit(j), row.unlike()));
+                    rows.add(new Row(evaluation.bodies().word(), row.method(), target(j, row.scores().size()), j % 2 == 0 ? "1" : "Hz",
+                            score.count(),
+                            score.missing(), score.rmse() / unit(j), score.deviation() / unit(j), score.standardised(), row.spread()[j],
+                            score.covered(), score.stated() / unit(j), row.unlike()));
                 }
             }
         }

@@ -45,7 +45,11 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
         return new LineChart(title, x, y, series, markers, others, group, note);
     }
 
-    /** The same chart shaded wherever {@code usable} is false, from halfway to the next usable x. @param at the x of each. Neither array is modified. */
+    /**
+     * The same chart shaded wherever {@code usable} is false, from halfway to the next usable x.
+     *
+     * @param at the x of each. Neither array is modified.
+     */
     public LineChart shadedUnless(boolean[] usable, double[] at, String reason) {
         List<Shade> found = new ArrayList<>();
         for (int i = 0; i < usable.length; i++) {

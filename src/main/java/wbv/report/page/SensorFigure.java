@@ -86,7 +86,9 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
             <g class="person"><circle cx="127" cy="38" r="23"/><path class="limb" d="M122 56L117 92" stroke-width="18"/>\
             <path d="M97 92C108 80 132 82 140 98C150 118 148 150 144 176C142 196 140 214 132 226C112 234 90 232 82 222C76 206 80 186 84 168\
             C88 144 84 112 97 92Z"/><path class="limb" d="M104 212L203 207" stroke-width="35"/>\
-            <path class="limb" d="M208 210L213 302" stroke-width="24"/><path d="M201 302H226C228 312 248 316 256 322C260 326 258 330 254 330H201Z"/></g>
-            <g class="arm"><path class="rim" d="M114 104L128 166L190 180" stroke-width="21"/><path d="M114 104L128 166L190 180" stroke-width="15"/></g>
+            <path class="limb" d="M208 210L213 302" stroke-width="24"/>\
+            <path d="M201 302H226C228 312 248 316 256 322C260 326 258 330 254 330H201Z"/></g>
+            <g class="arm"><path class="rim" d="M114 104L128 166L190 180" stroke-width="21"/>\
+            <path d="M114 104L128 166L190 180" stroke-width="15"/></g>
             """;
 }

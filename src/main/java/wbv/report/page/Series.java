@@ -43,7 +43,10 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
         return new Series(name, x, y, Style.POINTS, Band.NONE);
     }
 
-    /** A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. Arrays are not copied, not modified. */
+    /**
+     * A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. Arrays are not copied, not
+     * modified.
+     */
     public static Series strip(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.STRIP, Band.NONE);
     }

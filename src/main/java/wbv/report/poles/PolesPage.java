@@ -186,9 +186,11 @@ public final class PolesPage {
                 boolean drawn = polygon.measured() == Attribute.FREQUENCY || polygon.measured() == polygon.absent();
                 if (drawn) {
                     charts.add(new XyChart(link.absent().location() + ": " + word(polygon.absent()) + " over "
-                            + trained.layout().measured().location() + "'s " + word(polygon.measured()), axis(polygon.measured(),
-                            trained.layout().measured()), axis(polygon.absent(), link.absent()), List.of(area("polygon", polygon),
-                            together(link.absent(), polygon))));
+                            + trained.layout().measured().location() + "'s " + word(polygon.measured()),
+                            axis(polygon.measured(),
+                                    trained.layout().measured()),
+                            axis(polygon.absent(), link.absent()), List.of(area("polygon", polygon),
+                                    together(link.absent(), polygon))));
                 }
             }
             for (int i = 0; i < charts.size(); i += 2) {

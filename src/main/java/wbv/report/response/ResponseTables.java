@@ -61,10 +61,12 @@ final class ResponseTables {
                     curve.misfit().map(ResponseTables::misfit).orElse("–")));
         }
         return new Table("Every response, with " + percent + " intervals. (end): the highest value stands at the end of what is "
-                + "usable. Coherences are medians over the usable frequencies", List.of(Table.Column.words("Response"),
-                Table.Column.numbers("Highest |H1|"), Table.Column.words("Unit"), Table.Column.numbers("at [Hz]"),
-                Table.Column.numbers("Usable [Hz]"), Table.Column.numbers("Multiple γ²"), Table.Column.numbers("Partial γ²"),
-                Table.Column.numbers("Model off by")), rows);
+                + "usable. Coherences are medians over the usable frequencies",
+                List.of(Table.Column.words("Response"),
+                        Table.Column.numbers("Highest |H1|"), Table.Column.words("Unit"), Table.Column.numbers("at [Hz]"),
+                        Table.Column.numbers("Usable [Hz]"), Table.Column.numbers("Multiple γ²"), Table.Column.numbers("Partial γ²"),
+                        Table.Column.numbers("Model off by")),
+                rows);
     }
 
     private static String misfit(ResponseCurve.Misfit misfit) {

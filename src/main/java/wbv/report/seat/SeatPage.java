@@ -102,7 +102,9 @@ public final class SeatPage {
         }
         return new Section("At equal stroke",
                 "SEAT is the weighted r.m.s. acceleration (Wk) of the seat pan over that of the floor. More stroke buys comfort from "
-                + "any controller; so each is tuned to the stroke that a continuous skyhook needs which the middle sitter finds best.", blocks);
+                        + "any controller; so each is tuned to the stroke that a continuous skyhook needs which the middle sitter finds "
+                        + "best.",
+                blocks);
     }
 
     private Section floor(Comparison.OnFloor on) {
@@ -124,8 +126,10 @@ public final class SeatPage {
         blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", ChartAxis.linear("frequency", "Hz"),
                 ChartAxis.linear("|H1|", "").within(0, Double.NaN), on.transmissibility().stream().filter(each -> drawn().contains(each.entrant()))
                         .map(each -> Series.line(each.entrant().words(), each.frequency(), each.modulus())).toList())
-                .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor hardly shakes."));
-        Optional<String> limit = on.floor() instanceof EarthMover mover ? Optional.of(Digits.significant(mover.limit(), 2)) : Optional.empty();
+                .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor "
+                        + "hardly shakes."));
+        Optional<String> limit = on.floor() instanceof EarthMover mover ? Optional.of(Digits.significant(mover.limit(), 2))
+                : Optional.empty();
         return new Section(on.floor().word(), on.floor().description() + ", " + Digits.rounded(on.floor().rms(), 2) + " m/s² r.m.s."
                 + limit.map(value -> " A seat for it must stay below a SEAT of " + value + " (assumed).").orElse(""), blocks);
     }
@@ -170,8 +174,8 @@ public final class SeatPage {
                 + " N·s/m or an actuator of ± " + Digits.significant(seat.mostForce(), 3) + " N, both " + Digits.significant(1e3 * seat.delay(), 2)
                 + " ms late with a lag of " + Digits.significant(1e3 * seat.lag(), 2)
                 + " ms. The person: the virtual rig's, seven bodies that soften, along z.\n\n"
-                + "Spectra EM1 to EM9 are those of ISO 7096:2000 as a public implementation prints them (hvtestspectrum 1.1, HVLab HRV Toolbox); the standard "
-                + "was not at hand, and its limits of SEAT are remembered, hence assumed. This is no test by ISO 7096 or ISO 10326-1, which ask for people "
-                + "on a shaker."));
+                + "Spectra EM1 to EM9 are those of ISO 7096:2000 as a public implementation prints them (hvtestspectrum 1.1, HVLab HRV "
+                + "Toolbox); the standard was not at hand, and its limits of SEAT are remembered, hence assumed. This is no test by ISO "
+                + "7096 or ISO 10326-1, which ask for people on a shaker."));
     }
 }

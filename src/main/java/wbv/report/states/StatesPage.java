@@ -299,7 +299,8 @@ public final class StatesPage {
         }
         return new Section("From seat to head", "How much later the head jerks, and the body of one degree of freedom that would "
                 + "do that, where the states jerk; beside it the streaming estimator's, from all of the signals. Only jolts that stand "
-                + "out of the ride tell a lag, three at least.", new Table("", List.of(
+                + "out of the ride tell a lag, three at least.",
+                new Table("", List.of(
                         Table.Column.words("Recording"), Table.Column.numbers("Jerking samples"), Table.Column.numbers("Lag "
                                 + "[ms]"), Table.Column.numbers("±2σ [ms]"),
                         Table.Column.numbers("Frequency [Hz]"), Table.Column.numbers("Damping ratio"),

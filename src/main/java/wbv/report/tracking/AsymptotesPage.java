@@ -55,7 +55,8 @@ public final class AsymptotesPage {
         List<List<String>> rows = new ArrayList<>();
         request.provenance().forEach((name, value) -> rows.add(List.of(name, value)));
         return new Page("Asymptotes of " + request.title(), asymptotes.input() + " to " + asymptotes.output() + ", "
-                + Digits.significant(asymptotes.seconds(), 4) + " s", List.of(
+                + Digits.significant(asymptotes.seconds(), 4) + " s",
+                List.of(
                         new Section("Where the filters converge", "", blocks),
                         new Section("Provenance", "The same inputs, options and version give the same results.",
                                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows))));

@@ -74,14 +74,18 @@ public final class TrackingPage {
             }
         }
         Table table = new Table("After the last sample (± 2σ). Errors are those of the prediction from the present input and "
-                + "everything before it, from ten seconds on", List.of(Table.Column.words("Output"),
-                Table.Column.words("Estimator"),
-                Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
-                Table.Column.numbers("MSE"),
-                Table.Column.numbers("Error over signal, rms [%]"), Table.Column.numbers("Changes"),
-                Table.Column.numbers("Divergences"), Table.Column.numbers("Missing")), rows);
+                + "everything before it, from ten seconds on",
+                List.of(Table.Column.words("Output"),
+                        Table.Column.words("Estimator"),
+                        Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
+                        Table.Column.numbers("MSE"),
+                        Table.Column.numbers("Error over signal, rms [%]"), Table.Column.numbers("Changes"),
+                        Table.Column.numbers("Divergences"), Table.Column.numbers("Missing")),
+                rows);
         List<List<String>> bodies = tracking.bodies().stream().map(body -> List.of(body.output().toString(), body.line())).toList();
-        Table whole = new Table("The equivalent body of each path over the recording (± 2σ): the linear body that would simulate the output from the input best",
+        Table whole = new Table(
+                "The equivalent body of each path over the recording (± 2σ): the linear body that would simulate the output from the "
+                        + "input best",
                 List.of(Table.Column.words("Output"), Table.Column.words("Body")), bodies);
         return new Section("Summary", "", whole, table, new Findings(cautions, "Every estimator found a body, and was excited to."));
     }

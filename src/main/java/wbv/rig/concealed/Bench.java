@@ -15,14 +15,18 @@ import wbv.recording.Quantity;
  * @param chain    springs and dashpots; of a free mass the stiffness is 0
  * @param pushed   body on which the force acts, -1 where the base is shaken
  * @param axis     along which all moves @param quantity that every body's sensor measures
- * @param first    the first resonance; of a free mass the middle of what moves it [Hz] @param last the highest, as {@code first} for one mass [Hz]
+ * @param first    the first resonance; of a free mass the middle of what moves it [Hz]
+ * @param last the highest, as {@code first} for one mass [Hz]
  * @param rate     of the rows [Hz] @param seconds of a recording @param sweeps whether it is moved by sweeps, else at random
  * @param strength of what moves it, root mean square [N or m/s²] @param noise standard deviation of a sensor's noise over what it measures
  */
-record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first, double last, double rate, double seconds, boolean sweeps, double strength,
-             double noise) {
+record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first, double last, double rate, double seconds, boolean sweeps,
+        double strength, double noise) {
 
-    /** Fine samples in a period of the highest resonance: a force that is straight between them is off by 0.1 % at two and a half times that. */
+    /**
+     * Fine samples in a period of the highest resonance: a force that is straight between them is off by 0.1 % at two and a half times
+     * that.
+     */
     private static final double FINE = 160;
     /** Steps a fine sample: bristles of friction need 300 a period. */
     private static final int STEPS = 5;
@@ -50,8 +54,8 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
                 : List.of(Quantity.ACCELERATION, Quantity.ACCELERATION, Quantity.VELOCITY, Quantity.POSITION).get(random.nextInt(4));
         double strength = (1 + 9 * random.nextDouble()) * (shaken ? 1 : chain.mass()[0]);
         double noise = (quantity == Quantity.POSITION ? 2e-4 : 2e-3) * Math.pow(5, random.nextDouble());
-        return new Bench(chain, shaken ? -1 : free ? 0 : random.nextInt(bodies), random.nextBoolean() ? 'x' : 'z', quantity, first, last, rate, seconds,
-                !free && random.nextBoolean(), strength, noise);
+        return new Bench(chain, shaken ? -1 : free ? 0 : random.nextInt(bodies), random.nextBoolean() ? 'x' : 'z', quantity, first, last,
+                rate, seconds, !free && random.nextBoolean(), strength, noise);
     }
 
     private static Chain free(double hertz, RandomGenerator random) {

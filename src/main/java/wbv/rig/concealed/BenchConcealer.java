@@ -22,14 +22,20 @@ final class BenchConcealer {
     /** Levels over the usual one, in no order. */
     private static final double[] LEVELS = {0.45, 1, 2.2};
     /**
-     * Noise of the force on a free mass over that of a sensor: it is what was commanded. A measured one's noise, integrated twice, would carry the mass a
-     * hundred times as far as its sensor's noise says, and no model could follow.
+     * Noise of the force on a free mass over that of a sensor: it is what was commanded. A measured one's noise, integrated twice, would
+     * carry the mass a hundred times as far as its sensor's noise says, and no model could follow.
      */
     private static final double COMMANDED = 0.01;
     /** More than this many times as lively as the linear one is another bench. */
     private static final double WILD = 9;
 
-    /** What is concealed, and what it does. @param change to the bench @param faulty body whose sensor is at fault, -1 for none @param fault of a series */
+    /**
+     * What is concealed, and what it does.
+     *
+     * @param change to the bench
+     * @param faulty body whose sensor is at fault, -1 for none
+     * @param fault of a series
+     */
     private record Hidden(Omission omission, Consumer<Setup> change, int faulty, UnaryOperator<double[]> fault) { }
 
     /** As sized. @param left missed variance over that of the output, of each */
@@ -101,9 +107,11 @@ final class BenchConcealer {
 
     private Coordinate coordinate(int link) {
         double speed = UniformSeries.rms(calm.rate()[link]);
-        return bench.isFree() ? new Coordinate(0, bench.chain().damping()[0], speed / (2 * Math.PI * bench.first()), speed, UniformSeries.rms(drive), false)
-                : new Coordinate(bench.chain().stiffness()[link], bench.chain().damping()[link], UniformSeries.rms(calm.extension()[link]), speed,
-                        UniformSeries.rms(calm.force()[link]), false);
+        return bench.isFree()
+                ? new Coordinate(0, bench.chain().damping()[0], speed / (2 * Math.PI * bench.first()), speed, UniformSeries.rms(drive),
+                        false)
+                : new Coordinate(bench.chain().stiffness()[link], bench.chain().damping()[link], UniformSeries.rms(calm.extension()[link]),
+                        speed, UniformSeries.rms(calm.force()[link]), false);
     }
 
     private Sized fault(String word, int body, double wanted, double[] rows, double[] left) {

@@ -151,8 +151,8 @@ final class ChainPlant {
     }
 
     /**
-     * Accelerations where links resist them: (mass + inertance of the tree) q'' = force - mass base, eliminated from the tops down. What the links
-     * carry grows by it.
+     * Accelerations where links resist them: (mass + inertance of the tree) q'' = force - mass base, eliminated from the tops down. What
+     * the links carry grows by it.
      */
     private void accelerate(double base, double[] force, double[] into) {
         double[] weight = mass.clone();

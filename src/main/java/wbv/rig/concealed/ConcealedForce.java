@@ -14,8 +14,8 @@ final class ConcealedForce {
     private ConcealedForce() { }
 
     /**
-     * By row: in a link, all that it carries less stiffness · extension and damping · rate of its linear part, positive in tension; on a body, what a
-     * mass that nobody sees pulls it up by. Extension and rate are those of the link, or of that below the body.
+     * By row: in a link, all that it carries less stiffness · extension and damping · rate of its linear part, positive in tension; on a
+     * body, what a mass that nobody sees pulls it up by. Extension and rate are those of the link, or of that below the body.
      */
     static String of(Omission omission, Chain chain, ChainPlant.Trace trace, Imus imus) {
         int body = chain.body(omission.where());

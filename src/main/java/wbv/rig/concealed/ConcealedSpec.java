@@ -7,7 +7,8 @@ import java.util.List;
  *
  * @param name     of the case
  * @param words    mechanisms in the vocabulary's words, or {@code unlisted.*} for kinds that are in no library; none for a null; or one
- *                 {@code open.*}, a law that is in no library; or one {@code unrelated.*}, where the input is of another recording than the outputs
+ *                 {@code open.*}, a law that is in no library; or one {@code unrelated.*}, where the input is of another recording than the
+ *                 outputs
  * @param strength of the effect over the usual one, &gt; 0: the part of an output's variance that the best linear fit misses is
  *                 5 to 30 % times this
  * @param exact    whether the model handed out has the true linear values; otherwise they are 3 to 15 % off
@@ -34,8 +35,8 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
             "open.cushion.orifice", "open.inerter", "open.slosh");
 
     /**
-     * What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest; the force on a bench
-     * beside the motion that another force made.
+     * What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest; the force on
+     * a bench beside the motion that another force made.
      */
     public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
 

@@ -14,14 +14,16 @@ import wbv.rig.concealed.law.Term;
 import wbv.rig.concealed.law.Term.Factor;
 
 /**
- * A law in one coordinate, of any size, in place of its spring and dashpot: times and lengths are those of the coordinate's own motion, so that it may
- * swing at 3 Hz or at 1000.
+ * A law in one coordinate, of any size, in place of its spring and dashpot: times and lengths are those of the coordinate's own motion, so
+ * that it may swing at 3 Hz or at 1000.
  *
- * @param mechanism in the vocabulary's words, {@code unknown} for what is to be learned @param least @param most sizes between which it is physics
+ * @param mechanism in the vocabulary's words, {@code unknown} for what is to be learned
+ * @param least
+ * @param most sizes between which it is physics
  * @param law in neutral mathematics, of what is to be learned @param physics of a size
  */
-record CoordinateLaw(String mechanism, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters, List<Term> law,
-                     DoubleFunction<DoubleFunction<LinkPhysics>> physics) {
+record CoordinateLaw(String mechanism, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters,
+        List<Term> law, DoubleFunction<DoubleFunction<LinkPhysics>> physics) {
 
     /** Speed at which dry friction is three quarters of itself, over the usual speed. */
     private static final double EDGE = 0.1;

@@ -5,7 +5,10 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 
-/** What linear filters of several inputs together explain of an output: least squares over their present, their past and a little of their future. */
+/**
+ * What linear filters of several inputs together explain of an output: least squares over their present, their past and a little of their
+ * future.
+ */
 final class Filters {
 
     /** Rows before and after which an input may act: 1.2 s and 0.1 s at 60 Hz. */

@@ -4,8 +4,8 @@ import java.util.Map;
 import wbv.rig.platform.Seeds;
 
 /**
- * The five inertial sensors of a chain's scene: from motion to rows, usually at 60 Hz. Gravity is taken out in the axes of the sensor, which turn with the
- * platform.
+ * The five inertial sensors of a chain's scene: from motion to rows, usually at 60 Hz. Gravity is taken out in the axes of the sensor,
+ * which turn with the platform.
  */
 final class Imus {
 

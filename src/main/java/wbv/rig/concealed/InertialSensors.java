@@ -48,7 +48,11 @@ final class InertialSensors {
         return setting.noise * (q < 3 ? ImuErrors.TABLE_3_2.acceleration() : ImuErrors.TABLE_3_2.rate()).noise() * Math.sqrt(bandwidth);
     }
 
-    /** What perfect sensors but for the faults would send: by place six channels of rows. @param motion of a place, made anew for each call */
+    /**
+     * What perfect sensors but for the faults would send: by place six channels of rows.
+     *
+     * @param motion of a place, made anew for each call
+     */
     Map<String, double[][]> clean(List<Setup.FaultAt> faults, List<String> places, Function<String, double[][]> motion) {
         Map<String, double[][]> out = new LinkedHashMap<>();
         for (String place : places) {

@@ -5,7 +5,11 @@ final class Kernel {
 
     private Kernel() { }
 
-    /** @param corner frequency of half amplitude @param rate of the samples, in the same unit @param half samples on each side of the middle */
+    /**
+     * @param corner frequency of half amplitude
+     * @param rate of the samples, in the same unit
+     * @param half samples on each side of the middle
+     */
     static double[] lowPass(double corner, double rate, int half) {
         double[] out = new double[2 * half + 1];
         double sum = 0;

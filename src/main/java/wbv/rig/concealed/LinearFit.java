@@ -23,7 +23,12 @@ final class LinearFit {
     private static final int ROUNDS = 8;
     private static final int EVERY = 3;
 
-    /** What moves the chain: the platform's acceleration, or a force on a body of it. @param body on which it acts, -1 for the platform @param order of each output's derivative: 2 acceleration, 1 speed, 0 position */
+    /**
+     * What moves the chain: the platform's acceleration, or a force on a body of it.
+     *
+     * @param body on which it acts, -1 for the platform
+     * @param order of each output's derivative: 2 acceleration, 1 speed, 0 position
+     */
     record Drive(int body, int[] order) {
 
         static Drive platform(int outputs) {

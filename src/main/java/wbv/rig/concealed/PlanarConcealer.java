@@ -18,8 +18,8 @@ import wbv.recording.Recording;
 import wbv.rig.platform.Seeds;
 
 /**
- * Makes the recording of a {@link PlanarPerson} in whom something is concealed, and what his user's own simulator gave for the recorded platform: the same
- * person without it, exact or with values that are off.
+ * Makes the recording of a {@link PlanarPerson} in whom something is concealed, and what his user's own simulator gave for the recorded
+ * platform: the same person without it, exact or with values that are off.
  */
 final class PlanarConcealer {
 

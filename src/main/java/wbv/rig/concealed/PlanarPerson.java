@@ -9,11 +9,14 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /**
- * A seated person as three rigid bodies in the plane of x (forward) and z (up), each free to move along both and to pitch, on a cushion and against a
- * backrest that ride on the platform. Positions are those at rest, in the platform's axes from its sensor; what gravity does at rest is in them, and what it
- * does beside that in the stiffness about joints.
+ * A seated person as three rigid bodies in the plane of x (forward) and z (up), each free to move along both and to pitch, on a cushion and
+ * against a backrest that ride on the platform. Positions are those at rest, in the platform's axes from its sensor; what gravity does at
+ * rest is in them, and what it does beside that in the stiffness about joints.
  *
- * @param mass       by body [kg] @param inertia about its centre of mass [kg m²] @param centre of mass: x, z [m] @param sensor where it sits: x, z [m]
+ * @param mass       by body [kg]
+ * @param inertia about its centre of mass [kg m²]
+ * @param centre of mass: x, z [m]
+ * @param sensor where it sits: x, z [m]
  * @param joints     which hold the bodies
  */
 record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[][] sensor, List<Joint> joints) {
@@ -31,7 +34,10 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
     /**
      * Springs and dashpots along x and z and about y, in the axes of the lower of two bodies.
      *
-     * @param name what it is in a seat or a spine @param lower body, -1 for the platform @param upper body @param at where, at rest: x, z [m]
+     * @param name what it is in a seat or a spine
+     * @param lower body, -1 for the platform
+     * @param upper body
+     * @param at where, at rest: x, z [m]
      * @param stiffness along x and z [N/m] and about y [N m/rad] @param damping likewise
      */
     record Joint(String name, int lower, int upper, double[] at, double[] stiffness, double[] damping) {

@@ -4,9 +4,9 @@ import java.util.List;
 import wbv.rig.concealed.law.LinkPhysics;
 
 /**
- * A planar person in motion: Newton and Euler for each body in the axes of the platform, which accelerate and turn, Runge-Kutta's fourth order. Nothing is
- * made small: bodies turn by whole angles, forces act where the points are, in the axes of the body below, and sensors turn with what they sit on. Pitch turns
- * z towards x.
+ * A planar person in motion: Newton and Euler for each body in the axes of the platform, which accelerate and turn, Runge-Kutta's fourth
+ * order. Nothing is made small: bodies turn by whole angles, forces act where the points are, in the axes of the body below, and sensors
+ * turn with what they sit on. Pitch turns z towards x.
  */
 final class PlanarPlant {
 
@@ -15,7 +15,14 @@ final class PlanarPlant {
     /** Steps a sample where only sizes matter. */
     static final int COARSE = 2;
 
-    /** What the platform does, in its own axes, by sample at {@link UniformSeries#RATE}. @param x @param z acceleration [m/s²] @param rate of pitch [rad/s] @param spin its derivative */
+    /**
+     * What the platform does, in its own axes, by sample at {@link UniformSeries#RATE}.
+     *
+     * @param x
+     * @param z acceleration [m/s²]
+     * @param rate of pitch [rad/s]
+     * @param spin its derivative
+     */
     record Base(double[] x, double[] z, double[] rate, double[] spin) {
 
         /** @param rate of pitch, of which the derivative is taken */

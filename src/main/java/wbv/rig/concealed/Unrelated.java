@@ -106,8 +106,8 @@ final class Unrelated {
         ((ObjectNode) model.get("links").get(0)).put("from", "ground");
         ObjectNode key = root(spec, seconds, rate);
         key.set("true_linear_model", model);
-        return new ConcealedCase(recording(rate, Map.of(FORCE, force, MOTION, motion)), recording(rate, Map.of(FORCE, force, MOTION, clean)),
-                model.toPrettyString() + "\n", key.toPrettyString() + "\n");
+        return new ConcealedCase(recording(rate, Map.of(FORCE, force, MOTION, motion)),
+                recording(rate, Map.of(FORCE, force, MOTION, clean)), model.toPrettyString() + "\n", key.toPrettyString() + "\n");
     }
 
     private static Recording recording(double rate, Map<Channel, double[]> channels) {

@@ -32,7 +32,8 @@ public final class DirichletProcess {
     /**
      * A chain that begins with all rows in one cluster.
      *
-     * @param rows n by d, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between sweeps if he calls {@link #rebuild}.
+     * @param rows n by d, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between sweeps if he calls
+     *             {@link #rebuild}.
      * @param a shape and @param b rate of the concentration's gamma prior, &gt; 0
      */
     public DirichletProcess(double[][] rows, NormalWishart prior, double a, double b, RandomGenerator random) {

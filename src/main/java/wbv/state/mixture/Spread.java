@@ -93,7 +93,11 @@ public final class Spread {
         return spread;
     }
 
-    /** Least variances for densities of these rows: a share of the variance, and something above zero where there is none. @param rows Not modified. */
+    /**
+     * Least variances for densities of these rows: a share of the variance, and something above zero where there is none.
+     *
+     * @param rows Not modified.
+     */
     public static double[] floor(double[][] rows, double share) {
         Spread spread = of(CovarianceShape.DIAGONAL, rows);
         double[] covariance = spread.covariance();

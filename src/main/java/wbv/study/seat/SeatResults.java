@@ -19,12 +19,12 @@ import wbv.control.trial.Front;
  * @param provenance what made it @param seat the hardware @param settle_s ridden but not judged @param seconds judged of each ride
  * @param gains      by family, what knowing the sitter is worth at equal stroke
  */
-public record SeatResults(String format, int version, boolean simulated, Map<String, String> provenance, SeatHardware seat, double settle_s, double seconds,
-                          double jolt_m_s2, long seed, List<Surface> floors, Map<String, Comparison.Gain> gains) {
+public record SeatResults(String format, int version, boolean simulated, Map<String, String> provenance, SeatHardware seat, double settle_s,
+        double seconds, double jolt_m_s2, long seed, List<Surface> floors, Map<String, Comparison.Gain> gains) {
 
     /** What came of it on one floor. @param limit of SEAT, assumed; empty for roads @param skyhook_Ns_per_m whose stroke all are given */
-    public record Surface(String floor, String description, double rms_m_s2, Optional<Double> limit, double skyhook_Ns_per_m, List<Summary> at_equal_stroke,
-                          List<Rider> sitters) { }
+    public record Surface(String floor, String description, double rms_m_s2, Optional<Double> limit, double skyhook_Ns_per_m,
+            List<Summary> at_equal_stroke, List<Rider> sitters) {}
 
     /** Mean over sitters; the greatest stroke is the greatest of all. */
     public record Summary(String controller, String knowledge, Front.AtStroke mean) { }
@@ -38,8 +38,8 @@ public record SeatResults(String format, int version, boolean simulated, Map<Str
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> gains.put(family.word(), gain));
         }
-        return new SeatResults("wbv-seat", 1, true, provenance, asked.hardware(), asked.settle(), asked.seconds(), asked.jolt(), asked.seed(),
-                comparison.floors().stream().map(floor -> surface(comparison, floor)).toList(), gains);
+        return new SeatResults("wbv-seat", 1, true, provenance, asked.hardware(), asked.settle(), asked.seconds(), asked.jolt(),
+                asked.seed(), comparison.floors().stream().map(floor -> surface(comparison, floor)).toList(), gains);
     }
 
     private static Surface surface(Comparison comparison, Comparison.OnFloor on) {

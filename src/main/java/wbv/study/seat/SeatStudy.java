@@ -66,11 +66,12 @@ public final class SeatStudy {
         for (Comparison.OnFloor on : comparison.floors()) {
             String limit = limit(on);
             text.append(String.format(Locale.ROOT, "%s, %s: %.2f m/s² r.m.s.; %d sitter%s, %.0f s each, simulated%s%n", on.floor().word(),
-                    on.floor().description(), on.floor().rms(), on.sitters().size(), on.sitters().size() == 1 ? "" : "s", comparison.request().seconds(),
-                    limit.isEmpty() ? "" : "; SEAT must be below " + limit + " (assumed)"));
-            text.append(String.format(Locale.ROOT, "  %-26s %6s %6s %9s %9s %6s %6s%n", "at equal stroke, means", "SEAT", "head", "r.m.s. mm",
-                    "most mm", "stops",
-                    "W"));
+                    on.floor().description(), on.floor().rms(), on.sitters().size(), on.sitters().size() == 1 ? "" : "s",
+                    comparison.request().seconds(), limit.isEmpty() ? "" : "; SEAT must be below " + limit + " (assumed)"));
+            text.append(
+                    String.format(Locale.ROOT, "  %-26s %6s %6s %9s %9s %6s %6s%n", "at equal stroke, means", "SEAT", "head", "r.m.s. mm",
+                            "most mm", "stops",
+                            "W"));
             for (Comparison.Entrant entrant : comparison.entrants()) {
                 Optional<Front.AtStroke> mean = on.mean(entrant);
                 text.append(mean.isEmpty() ? String.format(Locale.ROOT, "  %-26s needs more stroke%n", entrant.words())

@@ -29,8 +29,8 @@ import wbv.recording.DataFault;
 class LearnedLawTest {
 
     private static final double RATE = 60;
-    private static final Structure CHAIN = new Structure(new int[] {-1, 0}, new int[] {0, 1}, new double[] {60000, 40000}, new double[] {900, 700},
-            new double[] {20, 40});
+    private static final Structure CHAIN = new Structure(new int[] {-1, 0}, new int[] {0, 1}, new double[] {60000, 40000},
+            new double[] {900, 700}, new double[] {20, 40});
 
     @ParameterizedTest
     @CsvSource({"1, 1", "r, -2", "|v|v, 9", "r^2 v, 12", "|r| sign(v), 2", "r- v, -6", "r+ v, 0", "v+^2, 9", "v-^2, 0", "r v, -6", "r^3, -8", "sign(r) |v|, -3", "|r|r |v|v, -36"})
@@ -53,8 +53,8 @@ class LearnedLawTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"angle of head.acc.x, no angular rate", "lean of head.acc.x from head.acc.y, not along one axis", "load of link 0, count from 1", "ride over soon s, no number",
-        "moon, modulates nothing"})
+    @CsvSource({"angle of head.acc.x, no angular rate", "lean of head.acc.x from head.acc.y, not along one axis",
+        "load of link 0, count from 1", "ride over soon s, no number", "moon, modulates nothing"})
     void whatModulatesNothingIsRefused(String text, String why) {
         assertTrue(assertThrows(IllegalArgumentException.class, () -> Modulator.parse(text)).getMessage().contains(why));
     }

@@ -141,7 +141,8 @@ class ForceInputTest {
         "\"sensor\": null}, \"inputs\": [{\"body\": \"mass\"}]|'sensor' names no channel"})
     void whatIsWrongWithAnInputIsSaid(String line) {
         String[] parts = line.split("\\|");
-        String text = "{\"name\": \"n\", \"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.pos.z\"}], \"links\": [{\"from\": \"ground\","
+        String text = "{\"name\": \"n\", \"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.pos.z\"}], \"links\": "
+                + "[{\"from\": \"ground\","
                 + " \"to\": \"mass\", \"stiffness_N_per_m\": 1, \"damping_Ns_per_m\": 1}], \"base\": {\"name\": \"ground\", "
                         + parts[0] + "}";
         DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(text, "m.json"));

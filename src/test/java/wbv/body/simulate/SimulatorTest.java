@@ -194,7 +194,10 @@ class SimulatorTest {
         }
     }
 
-    /** A mass that swings on a base which pushes and tilts it, in time: u" + 2ζωu' + ω²u = -(a + h θ"), seen at u + h θ (Runge and Kutta, fourth order). */
+    /**
+     * A mass that swings on a base which pushes and tilts it, in time: u" + 2ζωu' + ω²u = -(a + h θ"), seen at u + h θ (Runge and Kutta,
+     * fourth order).
+     */
     @Test
     void whatCarriesNoSensorSwingsAsAMassOnASpring() {
         double rate = 256;

@@ -124,7 +124,10 @@ class SeatTrialTest {
         assertTrue(active.strokeRms() <= sitter.stroke());
     }
 
-    /** A controller that is believed to have a delay of 4 ms and has 14: without the guard it sings at 21 Hz with four times a passive seat's SEAT. */
+    /**
+     * A controller that is believed to have a delay of 4 ms and has 14: without the guard it sings at 21 Hz with four times a passive
+     * seat's SEAT.
+     */
     @Test
     void moreDelayMakesNoSong() {
         Maker maker = new Maker(SEAT, EarthMover.EM3, 1);

@@ -53,7 +53,8 @@ class BodyForceTest {
 
     @Test
     void aBandTakesItsOwnLevelWhereItShowsOneAndItsNeighboursElsewhere() {
-        // Three bands show a force of 4 N² a line well; in the first the noise is a thousand times as strong, and its estimate 30 N² too high.
+        // Three bands show a force of 4 N² a line well; in the first the noise is a thousand times as strong, and its estimate 30 N² too
+        // high.
         double[] noise = {4000, 0.1, 0.1, 0.1};
         double[] level = ForceBands.levels(new double[] {4034, 4.1, 4.1, 1.1}, noise, new int[] {100, 100, 100, 100});
         assertEquals(4, level[0], 1.5);

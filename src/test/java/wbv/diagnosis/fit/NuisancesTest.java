@@ -55,7 +55,10 @@ class NuisancesTest {
         assertTrue(relative > 0.001 && relative < 0.0045, "the rest of it is the input's: " + relative);
     }
 
-    /** What a sensor reads that is late and tilted and has a wrong gain is seen with all three, and nothing more is left of it than of a sound one. */
+    /**
+     * What a sensor reads that is late and tilted and has a wrong gain is seen with all three, and nothing more is left of it than of a
+     * sound one.
+     */
     @Test
     void aModelIsSeenAsItsSensorsReadIt() throws Exception {
         Recording plain = recording();

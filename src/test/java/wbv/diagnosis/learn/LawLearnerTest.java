@@ -45,7 +45,10 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
-/** A law that no mechanism of the library is comes out as it was put in. The exam with laws from another hand is {@code wbv prove --only open}. */
+/**
+ * A law that no mechanism of the library is comes out as it was put in. The exam with laws from another hand is
+ * {@code wbv prove --only open}.
+ */
 public class LawLearnerTest {
 
     private static final Channel BASE = Channel.parse("platform.acc.z");
@@ -55,9 +58,10 @@ public class LawLearnerTest {
     private static final double NOISE = 0.02;
 
     static Stream<Learned> laws() {
-        return Stream.of(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8), new LearnedTerm(Shape.SPEED, new Modulator.Measured(SWAY), 350),
-                new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.08), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03),
-                new LearnedInertance(4));
+        return Stream.of(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8),
+                new LearnedTerm(Shape.SPEED, new Modulator.Measured(SWAY), 350),
+                new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.08),
+                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03), new LearnedInertance(4));
     }
 
     @Tag("slow")
@@ -107,7 +111,9 @@ public class LawLearnerTest {
         assertTrue(diagnosis.alternatives().stream().allMatch(rival -> rival.probability() <= rest + 1e-12), "" + diagnosis.alternatives());
     }
 
-    /** A bench whose spring hardens as the library says, and whose damping grows beyond a speed, which the library does not know beside it. */
+    /**
+     * A bench whose spring hardens as the library says, and whose damping grows beyond a speed, which the library does not know beside it.
+     */
     @Tag("slow")
     @Test
     void whatANamedLawLeavesIsLearnedBesideIt() {

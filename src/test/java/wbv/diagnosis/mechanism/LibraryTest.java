@@ -31,7 +31,9 @@ class LibraryTest {
         assertEquals(sealed, ALL.stream().map(Object::getClass).collect(Collectors.toSet()));
     }
 
-    /** Every law, drive and fault of a body belongs to a mechanism, but for how a body starts, and for forces that were measured or given. */
+    /**
+     * Every law, drive and fault of a body belongs to a mechanism, but for how a body starts, and for forces that were measured or given.
+     */
     @Test
     void everyPhysicsHasItsMechanism() {
         Set<String> words = ALL.stream().map(Mechanism::word).collect(Collectors.toSet());

@@ -34,8 +34,8 @@ class OddSensorTest {
     @Test
     void theOneThatIsLateIsBlamed() throws Exception {
         Diagnosis diagnosis = diagnosed(List.of("sensor.delay"), 5208654190441538260L);
-        assertEquals(List.of("sensor.delay at head.acc.z"), diagnosis.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(),
-                diagnosis.sentence());
+        assertEquals(List.of("sensor.delay at head.acc.z"),
+                diagnosis.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(), diagnosis.sentence());
         // Its own scatter of a tenth of a sample comes on top of what was concealed.
         assertEquals(0.00794, diagnosis.missing().get(0).parameters().get("delay_s"), 0.0025);
         Interval delay = diagnosis.missing().get(0).intervals().get("delay_s");

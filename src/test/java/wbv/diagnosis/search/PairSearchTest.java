@@ -23,7 +23,8 @@ import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
 
 /**
- * Two things are missing at two places: both are named, and nothing beside them. A diagnosis of two takes long; what is tagged is asked apart.
+ * Two things are missing at two places: both are named, and nothing beside them. A diagnosis of two takes long; what is tagged is asked
+ * apart.
  */
 class PairSearchTest {
 

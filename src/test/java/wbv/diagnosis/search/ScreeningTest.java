@@ -32,7 +32,9 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
-/** The score of a wrong hypothesis is χ² with one degree of freedom: over many recordings of a chain that lacks nothing, not in one of them. */
+/**
+ * The score of a wrong hypothesis is χ² with one degree of freedom: over many recordings of a chain that lacks nothing, not in one of them.
+ */
 class ScreeningTest {
 
     private static final double RATE = 60;

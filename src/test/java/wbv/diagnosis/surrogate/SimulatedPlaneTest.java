@@ -29,7 +29,10 @@ class SimulatedPlaneTest {
     private static final Channel INPUT = Channel.parse("platform.acc.z");
     private static final List<String> PLACES = List.of("pelvis", "sternum", "head");
 
-    /** Where the sensors of a simulated person sit, and what his masses are to each other, follows from what he did: the plant is Newton's and Euler's, not wbv's. */
+    /**
+     * Where the sensors of a simulated person sit, and what his masses are to each other, follows from what he did: the plant is Newton's
+     * and Euler's, not wbv's.
+     */
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(longs = {71, 72, 73})
@@ -117,9 +120,11 @@ class SimulatedPlaneTest {
              "base": {"name": "platform", "at_m": [0, 0], "sensors": ["platform.acc.z", "platform.acc.x", "platform.gyr.y"]},
              "bodies": [
                {"name": "pelvis", "at_m": [0.02, 0.2], "mass_kg": 40, "inertia_kgm2": 1.2, "sensors": [
-                 {"sensor": "pelvis.acc.z", "at_m": [0.1, 0.2]}, {"sensor": "pelvis.acc.x", "at_m": [0.1, 0.2]}, {"sensor": "pelvis.gyr.y", "at_m": [0.1, 0.2]}]},
+                 {"sensor": "pelvis.acc.z", "at_m": [0.1, 0.2]}, {"sensor": "pelvis.acc.x", "at_m": [0.1, 0.2]},
+                 {"sensor": "pelvis.gyr.y", "at_m": [0.1, 0.2]}]},
                {"name": "head", "at_m": [0, 0.75], "mass_kg": 6, "inertia_kgm2": 0.04, "sensors": [
-                 {"sensor": "head.acc.z", "at_m": [0, 0.8]}, {"sensor": "head.acc.x", "at_m": [0, 0.8]}, {"sensor": "head.gyr.y", "at_m": [0, 0.8]}]}],
+                 {"sensor": "head.acc.z", "at_m": [0, 0.8]}, {"sensor": "head.acc.x", "at_m": [0, 0.8]},
+                 {"sensor": "head.gyr.y", "at_m": [0, 0.8]}]}],
              "links": [
                {"from": "platform", "to": "pelvis", "along": "z", "at_m": [0, 0.02], "stiffness_N_per_m": 45000, "damping_Ns_per_m": 900},
                {"from": "platform", "to": "pelvis", "along": "x", "at_m": [0, 0.02], "stiffness_N_per_m": 30000, "damping_Ns_per_m": 700},

@@ -211,8 +211,8 @@ class SurrogateTest {
     }
 
     /**
-     * A law in a person of whom the surrogate lacks a backrest, soft parts and arms: it is named, and data that nobody fitted are met, since the way from its
-     * force to the sensors may differ from the surrogate's.
+     * A law in a person of whom the surrogate lacks a backrest, soft parts and arms: it is named, and data that nobody fitted are met,
+     * since the way from its force to the sensors may differ from the surrogate's.
      */
     @Tag("slow")
     @Test

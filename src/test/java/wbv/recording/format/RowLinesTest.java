@@ -112,7 +112,9 @@ class RowLinesTest {
 
     @Test
     void aMapNamesForeignColumns() throws IOException {
-        Path map = Samples.file(folder, "map.json", "{\"time\": {\"column\": \"ms\", \"unit\": \"ms\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"az\", \"unit\": \"g\"}}}");
+        Path map = Samples.file(folder, "map.json",
+                "{\"time\": {\"column\": \"ms\", \"unit\": \"ms\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"az\", \"unit\": "
+                        + "\"g\"}}}");
         RowLines lines = new RowLines("test", new ReadOptions(Optional.of(ColumnMap.read(map)), OptionalDouble.empty(), Map.of()));
         take(lines, "ms,ax,az\n500,9,2");
         assertArrayEquals(new double[] {0.5, 2 * 9.80665}, rows.get(0));

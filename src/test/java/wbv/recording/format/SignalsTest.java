@@ -33,7 +33,8 @@ import wbv.recording.RowReader;
 import wbv.recording.Unit;
 
 /**
- * UFF 58, MAT, HDF5 and WAV: files that other programs wrote (src/test/resources/signals), read; what we write, read back; damaged ones refused in one line.
+ * UFF 58, MAT, HDF5 and WAV: files that other programs wrote (src/test/resources/signals), read; what we write, read back; damaged ones
+ * refused in one line.
  */
 class SignalsTest {
 
@@ -152,7 +153,8 @@ class SignalsTest {
     @CsvSource({"scipy-struct.mat, ride.acc", "hdf5storage-73.mat, acc"})
     void columnsOfMatricesAreNamedAsInMatlab(String name, String matrix) throws IOException {
         String map = """
-                {"channels": {"head.acc.z": {"column": "%1$s(:,2)", "unit": "m/s2"}, "seat.acc.z": {"column": "%1$s(:,1)", "unit": "g", "scale": -1}}}
+                {"channels": {"head.acc.z": {"column": "%1$s(:,2)", "unit": "m/s2"},
+                              "seat.acc.z": {"column": "%1$s(:,1)", "unit": "g", "scale": -1}}}
                 """.formatted(matrix);
         try (RowReader reader = open(MADE.resolve(name), map)) {
             assertEquals(60, reader.metadata().rate().orElseThrow());
@@ -188,13 +190,16 @@ class SignalsTest {
         assertNear(expected(HEAD), column(rows, 2), 0);
     }
 
-    /** A map gives channels their names and says what full scale is; half a step of each width is what may be lost, a whole one where it was rounded down. */
+    /**
+     * A map gives channels their names and says what full scale is; half a step of each width is what may be lost, a whole one where it was
+     * rounded down.
+     */
     @ParameterizedTest
-    @CsvSource({"soundfile-8.wav, 64", "scipy-16.wav, 32768", "soundfile-24.wav, 8388608", "soundfile-extensible-24.wav, 8388608", "scipy-32.wav, 2147483648",
-        "scipy-float.wav, 1e300", "scipy-double.wav, 1e300", "soundfile-rf64.wav, 1e300"})
+    @CsvSource({"soundfile-8.wav, 64", "scipy-16.wav, 32768", "soundfile-24.wav, 8388608", "soundfile-extensible-24.wav, 8388608",
+        "scipy-32.wav, 2147483648", "scipy-float.wav, 1e300", "scipy-double.wav, 1e300", "soundfile-rf64.wav, 1e300"})
     void soundIsScaledByItsMap(String name, double steps) throws IOException {
-        String map = "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\", \"unit\": \"m/s2\", \"scale\": 20}, \"head.acc.z\": {\"column\": \"2\", \"unit\": "
-                + "\"g\"}}}";
+        String map = "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\", \"unit\": \"m/s2\", \"scale\": 20}, \"head.acc.z\": "
+                + "{\"column\": \"2\", \"unit\": \"g\"}}}";
         try (RowReader reader = open(MADE.resolve(name), map)) {
             assertEquals(60, reader.metadata().rate().orElseThrow());
             List<double[]> rows = Samples.rows(reader);

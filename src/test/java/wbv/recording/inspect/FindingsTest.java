@@ -244,8 +244,8 @@ class FindingsTest {
                 new Finding.Jitter(1e-3, 1e-2, true), new Finding.Drift(100, 100.01), new Finding.DuplicateTimes(1, 4),
                 new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"),
                 new Finding.Missing(List.of(z), 1, 9),
-                new Finding.Stuck(z, 1, 30, 4, 90), new Finding.ZeroRows("head", 2, 7, false), new Finding.PassedOver(1), new Finding.Clipped(z, 20, 9, 5),
-                new Finding.GravityLeftIn("head", 9.8), new Finding.GravityMissing("head", 0.1),
+                new Finding.Stuck(z, 1, 30, 4, 90), new Finding.ZeroRows("head", 2, 7, false), new Finding.PassedOver(1),
+                new Finding.Clipped(z, 20, 9, 5), new Finding.GravityLeftIn("head", 9.8), new Finding.GravityMissing("head", 0.1),
                 new Finding.GrossBias("head", Quantity.ACCELERATION, 1, 2, 3, 3.7),
                 new Finding.ImplausibleUnit("head", Quantity.ANGULAR_RATE, 40, "rad/s", "deg/s read as rad/s"),
                 new Finding.Spikes(z, 1, 4, 8));

@@ -15,8 +15,10 @@ import wbv.report.page.XySeries;
 class PlaneDrawingTest {
 
     private static final String MODEL = """
-            {"name": "one", "plane": "xz", "axis": "z", "base": {"name": "platform", "at_m": [0, 0], "sensors": ["platform.acc.z", "platform.acc.x"]},
-             "bodies": [{"name": "pelvis", "at_m": [0.02, 0.2], "mass_kg": 40, "inertia_kgm2": 1.2, "sensors": [{"sensor": "pelvis.acc.z", "at_m": [0.1, 0.25]}]}],
+            {"name": "one", "plane": "xz", "axis": "z",
+             "base": {"name": "platform", "at_m": [0, 0], "sensors": ["platform.acc.z", "platform.acc.x"]},
+             "bodies": [{"name": "pelvis", "at_m": [0.02, 0.2], "mass_kg": 40, "inertia_kgm2": 1.2,
+               "sensors": [{"sensor": "pelvis.acc.z", "at_m": [0.1, 0.25]}]}],
              "links": [
                {"from": "platform", "to": "pelvis", "along": "z", "at_m": [0, 0.02], "stiffness_N_per_m": 45000, "damping_Ns_per_m": 900},
                {"from": "platform", "to": "pelvis", "along": "x", "at_m": [-0.1, 0.3], "stiffness_N_per_m": 30000, "damping_Ns_per_m": 700},

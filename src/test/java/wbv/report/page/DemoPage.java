@@ -88,15 +88,17 @@ final class DemoPage {
         double[] poles = {0.2, 0.4, 0.3, 0.2};
         return new Section("Plane", "What is not drawn over time or frequency.", new Lead("The spring softens beyond 1 mm."),
                 new Beside(
-                new XyChart("Spring force over deflection", ChartAxis.linear("Deflection", "mm"), ChartAxis.linear("Force", "N"), List.of(
-                        new XySeries("samples", deflection, force, XySeries.Style.CLOUD),
-                        new XySeries("law", x, y, XySeries.Style.LINE),
-                        new XySeries("linear", new double[] {-1.5, 1.5}, new double[] {-90, 90}, XySeries.Style.DASHED))),
-                new XyChart("Where poles are allowed", ChartAxis.linear("Real part", ""), ChartAxis.linear("Imaginary part", ""), List.of(
-                        new XySeries("region", new double[] {0.1, 0.5, 0.35, 0.1}, new double[] {0.5, 0.55, 0.8, 0.5},
-                        XySeries.Style.AREA),
-                        new XySeries("poles", poles, new double[] {0.55, 0.6, 0.7, 0.75}, new double[] {0.02, 0.02, 0.03, 0.01},
-                                XySeries.Style.POINTS, XySeries.BY_NAME)))),
+                        new XyChart("Spring force over deflection", ChartAxis.linear("Deflection", "mm"), ChartAxis.linear("Force", "N"),
+                                List.of(
+                                        new XySeries("samples", deflection, force, XySeries.Style.CLOUD),
+                                        new XySeries("law", x, y, XySeries.Style.LINE),
+                                        new XySeries("linear", new double[] {-1.5, 1.5}, new double[] {-90, 90}, XySeries.Style.DASHED))),
+                        new XyChart("Where poles are allowed", ChartAxis.linear("Real part", ""), ChartAxis.linear("Imaginary part", ""),
+                                List.of(
+                                        new XySeries("region", new double[] {0.1, 0.5, 0.35, 0.1}, new double[] {0.5, 0.55, 0.8, 0.5},
+                                                XySeries.Style.AREA),
+                                        new XySeries("poles", poles, new double[] {0.55, 0.6, 0.7, 0.75},
+                                                new double[] {0.02, 0.02, 0.03, 0.01}, XySeries.Style.POINTS, XySeries.BY_NAME)))),
                 new BarChart("Error by channel", ChartAxis.linear("Error over signal", "%"), List.of("seat.acc.z", "head.acc.z"),
                 List.of(
                         new BarChart.Bars("before", new double[] {24.3, 18.1}, 1),

@@ -97,8 +97,8 @@ class HtmlWriterTest {
     @Test
     void heatmapLevelsAreTheValuesBetweenTheEndsOfTheColours() {
         double[][] values = {{-60, -40, Double.NaN}, {-20, 0, 100}};
-        Heatmap map = new Heatmap("m", ChartAxis.linear("t", "s"), ChartAxis.linear("f", "Hz"), ChartAxis.linear("PSD", "dB").within(-40, 0),
-                new double[] {0.5, 1.5}, new double[] {0, 1, 2}, values);
+        Heatmap map = new Heatmap("m", ChartAxis.linear("t", "s"), ChartAxis.linear("f", "Hz"),
+                ChartAxis.linear("PSD", "dB").within(-40, 0), new double[] {0.5, 1.5}, new double[] {0, 1, 2}, values);
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", map))))).get(0);
         byte[] levels = Base64.getDecoder().decode(data.get("levels").asText());
         int[] expected = {0, 0, 255, 127, 254, 254};
@@ -163,8 +163,8 @@ class HtmlWriterTest {
                 new SensorFigure(List.of(new SensorFigure.Sensor("head" + HOSTILE, HOSTILE, Tiles.Tone.WARNING, HOSTILE))),
                 new LineChart(HOSTILE, ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE),
                         List.of(Series.line(HOSTILE, x, x))).grouped(HOSTILE).noted(HOSTILE),
-                new Heatmap(HOSTILE, ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE),
-                        x, x, new double[][] {x, x}))));
+                new Heatmap(HOSTILE, ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE),
+                        ChartAxis.linear(HOSTILE, HOSTILE), x, x, new double[][] {x, x}))));
     }
 
     private static List<JsonNode> data(String html) {

@@ -85,7 +85,10 @@ class MixedCasesTest {
         assertTrue(IntStream.range(0, 20).filter(i -> quiet[i] == other[i]).count() < 5, "noise must not come twice");
     }
 
-    /** The same person, driven by the platform as it was recorded, does what was recorded but for sensors and noise; with values that are off he does not. */
+    /**
+     * The same person, driven by the platform as it was recorded, does what was recorded but for sensors and noise; with values that are
+     * off he does not.
+     */
     @Tag("slow")
     @Test
     void aSimulationWithExactValuesDoesWhatWasRecorded() {
@@ -133,9 +136,10 @@ class MixedCasesTest {
 
     /** At its least size a law hardly bends a spring, at its most it is another one; where the body stands it pulls no one. */
     @ParameterizedTest
-    @ValueSource(strings = {"stiffness.softening", "stiffness.hardening", "stiffness.asymmetric", "damping.quadratic", "friction.coulomb", "hysteresis",
-        "contact.bumpstop", "contact.loss", "contact.backlash", "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy", "open.damping.travel",
-        "open.friction.wedge"})
+    @ValueSource(strings = {"stiffness.softening", "stiffness.hardening", "stiffness.asymmetric", "damping.quadratic", "friction.coulomb",
+        "hysteresis",
+        "contact.bumpstop", "contact.loss", "contact.backlash", "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy",
+        "open.damping.travel", "open.friction.wedge"})
     void lawsGrowWithTheirSizeAndPassThroughRest(String word) {
         double w = 2 * Math.PI * 40;
         double k = 3e5;

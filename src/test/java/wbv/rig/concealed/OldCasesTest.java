@@ -12,7 +12,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.Channel;
 
-/** A seed means the same recording, model and key whatever is added to the proof: the digests were taken before benches, planar people and levels came. */
+/**
+ * A seed means the same recording, model and key whatever is added to the proof: the digests were taken before benches, planar people and
+ * levels came.
+ */
 class OldCasesTest {
 
     @ParameterizedTest

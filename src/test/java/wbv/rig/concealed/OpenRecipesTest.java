@@ -28,8 +28,8 @@ class OpenRecipesTest {
     private static final RideScene SCENE = RideScene.of(Setting.RIG, OptionalDouble.of(8), new Seeds(3));
 
     /**
-     * What bodies above a link weigh against their own motion it must carry: Newton's law, asked of the trace without a look at any law. What is left
-     * beside stiffness and damping is the concealed force.
+     * What bodies above a link weigh against their own motion it must carry: Newton's law, asked of the trace without a look at any law.
+     * What is left beside stiffness and damping is the concealed force.
      */
     @ParameterizedTest
     @MethodSource("laws")

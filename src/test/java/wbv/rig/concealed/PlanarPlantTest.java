@@ -140,7 +140,10 @@ class PlanarPlantTest {
         }
     }
 
-    /** A law with sharp friction on a person who is shaken along all axes: half the step, the same motion to 0.1 % of it, a tenth of a sensor's noise. */
+    /**
+     * A law with sharp friction on a person who is shaken along all axes: half the step, the same motion to 0.1 % of it, a tenth of a
+     * sensor's noise.
+     */
     @Test
     void halfTheStepIsTheSameMotion() {
         PlanarPerson person = PlanarPerson.draw(new Seeds(4).source("sitter"));
@@ -162,9 +165,11 @@ class PlanarPlantTest {
     }
 
     private static PlanarPerson without(PlanarPerson person, double stiffness, double damping) {
-        return new PlanarPerson(person.mass(), person.inertia(), person.centre(), person.sensor(), person.joints().stream().map(joint ->
-                new PlanarPerson.Joint(joint.name(), joint.lower(), joint.upper(), joint.at(), UniformSeries.scaled(joint.stiffness(), stiffness),
-                        UniformSeries.scaled(joint.damping(), damping))).toList());
+        return new PlanarPerson(person.mass(), person.inertia(), person.centre(), person.sensor(),
+                person.joints().stream()
+                        .map(joint -> new PlanarPerson.Joint(joint.name(), joint.lower(), joint.upper(), joint.at(),
+                                UniformSeries.scaled(joint.stiffness(), stiffness), UniformSeries.scaled(joint.damping(), damping)))
+                        .toList());
     }
 
     private static PlanarPlant.Base still(int n) {

@@ -1,7 +1,8 @@
 package wbv.rig.concealed.law;
 
 /**
- * A damper that fades with the motion of the last seconds, as foaming oil does, and recovers: c v / (1 + m/m0), m the mean square rate over a memory.
+ * A damper that fades with the motion of the last seconds, as foaming oil does, and recovers: c v / (1 + m/m0), m the mean square rate over
+ * a memory.
  *
  * @param c of the rested damper [N s/m] @param level m0 [m²/s²] @param memory [s]
  */

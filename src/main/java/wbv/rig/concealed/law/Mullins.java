@@ -1,8 +1,8 @@
 package wbv.rig.concealed.law;
 
 /**
- * A rubber that remembers how far it was stretched and is softer below (Mullins 1969), and heals: -loss k r (1 - |r|/p), p the largest |r| so far,
- * forgotten over a memory of seconds.
+ * A rubber that remembers how far it was stretched and is softer below (Mullins 1969), and heals: -loss k r (1 - |r|/p), p the largest |r|
+ * so far, forgotten over a memory of seconds.
  */
 public final class Mullins implements LinkPhysics {
 

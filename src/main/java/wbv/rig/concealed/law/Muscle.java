@@ -14,7 +14,16 @@ public final class Muscle implements LinkPhysics {
     private final double[] past;
     private long steps;
 
-    /** Relaxed. @param k [N/m] @param c [N s/m] @param gain [N/m] @param rateGain [N s/m] @param delay [s] @param h step of the run [s], shorter than the delay */
+    /**
+     * Relaxed.
+     *
+     * @param k [N/m]
+     * @param c [N s/m]
+     * @param gain [N/m]
+     * @param rateGain [N s/m]
+     * @param delay [s]
+     * @param h step of the run [s], shorter than the delay
+     */
     public Muscle(double k, double c, double gain, double rateGain, double delay, double h) {
         this.k = k;
         this.c = c;

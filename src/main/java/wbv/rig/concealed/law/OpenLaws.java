@@ -3,7 +3,9 @@ package wbv.rig.concealed.law;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
 
-/** Forces beside a link's spring and dashpot that follow from the present alone and are in no library. All in newtons, positive in tension. */
+/**
+ * Forces beside a link's spring and dashpot that follow from the present alone and are in no library. All in newtons, positive in tension.
+ */
 public final class OpenLaws {
 
     private OpenLaws() { }

@@ -10,7 +10,14 @@ public final class Sliders implements LinkPhysics {
     private final double[] bent;
     private double last;
 
-    /** Nothing has slid. @param k [N/m] @param c [N s/m] @param share of k on sliders, 0 to 1 @param yield extension at which each gives way [m]. Not modified. */
+    /**
+     * Nothing has slid.
+     *
+     * @param k [N/m]
+     * @param c [N s/m]
+     * @param share of k on sliders, 0 to 1
+     * @param yield extension at which each gives way [m]. Not modified.
+     */
     public Sliders(double k, double c, double share, double[] yield) {
         this.k = k;
         this.c = c;

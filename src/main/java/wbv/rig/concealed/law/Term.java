@@ -15,8 +15,8 @@ public record Term(List<Factor> factors, OptionalDouble memory) {
      *
      * @param of     speed, deflection, acceleration, load (of spring and dashpot), time, tilt, channel, pressure
      * @param at     link or channel, empty for the law's own link. Deflection, speed and load are positive in tension
-     * @param as     itself, magnitude, sign, square, square with sign, positive part, negative part (as a positive number), level (mean square
-     *               over the memory), peak (largest magnitude over the memory), and what else is said in words
+     * @param as     itself, magnitude, sign, square, square with sign, positive part, negative part (as a positive number), level (mean
+     *               square over the memory), peak (largest magnitude over the memory), and what else is said in words
      * @param memory [s]
      */
     public record Factor(String of, String at, String as, OptionalDouble memory) {
