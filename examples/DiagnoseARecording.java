@@ -13,7 +13,7 @@ import wbv.recording.format.RecordingFile;
  */
 public final class DiagnoseARecording {
 
-    private DiagnoseARecording() { }
+    private DiagnoseARecording() {}
 
     /**
      * @param arguments a folder with recording.csv.gz and model.json; one of those that come with wbv, with a law concealed in it, if none
@@ -21,12 +21,15 @@ public final class DiagnoseARecording {
      */
     public static void main(String[] arguments) throws Exception {
         Path folder = Path.of(arguments.length > 0 ? arguments[0] : "data/arff/concealed/003");
-        Question question = Question.of(ModelFile.read(folder.resolve("model.json")), new RecordingFile(folder.resolve("recording.csv.gz")).load());
-        Diagnosis diagnosis = Diagnoser.examine(question, (step, share) -> { }).diagnosis();
+        Question question = Question.of(ModelFile.read(folder.resolve("model.json")),
+                new RecordingFile(folder.resolve("recording.csv.gz")).load());
+        Diagnosis diagnosis = Diagnoser.examine(question, (step, share) -> {}).diagnosis();
         System.out.println(diagnosis.verdict().word() + ": " + diagnosis.sentence());
         for (Diagnosis.Named each : diagnosis.missing()) {
-            System.out.printf(Locale.ROOT, "%s at %s, probability %.2f: %s%n", each.mechanism(), each.where(), each.probability(), each.parameters());
+            System.out.printf(Locale.ROOT, "%s at %s, probability %.2f: %s%n", each.mechanism(), each.where(), each.probability(),
+                    each.parameters());
         }
-        System.out.println("the completed model has " + diagnosis.model().links().stream().mapToInt(link -> link.laws().size()).sum() + " laws in its links");
+        System.out.println("the completed model has " + diagnosis.model().links().stream().mapToInt(link -> link.laws().size()).sum()
+                + " laws in its links");
     }
 }

@@ -19,7 +19,7 @@ public final class FollowAStream {
 
     private static final double RATE = 60;
 
-    private FollowAStream() { }
+    private FollowAStream() {}
 
     /** @param arguments a recording at 60 Hz; the one whose stiffness steps by a quarter after 60 s if none is named */
     public static void main(String[] arguments) throws Exception {

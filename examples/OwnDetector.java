@@ -21,7 +21,7 @@ import wbv.recording.format.RecordingFile;
  */
 public final class OwnDetector {
 
-    private OwnDetector() { }
+    private OwnDetector() {}
 
     /** Of fixed length, where ADWIN finds its own: simpler, and deaf to what is slower than it. */
     static final class Halves implements Alarm {

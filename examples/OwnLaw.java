@@ -36,7 +36,7 @@ public final class OwnLaw {
     /** From seat to torso. */
     private static final int CUSHION = 1;
 
-    private OwnLaw() { }
+    private OwnLaw() {}
 
     /** What the law is called, and in which link, with which numbers, from which sizes on it is tried. */
     private record Bulging() implements Mechanism.Custom {
@@ -59,8 +59,9 @@ public final class OwnLaw {
         Model model = new Model("sitter", Optional.empty(), 'z', new Model.Base("platform", Optional.of(Channel.parse("platform.acc.z"))),
                 List.of(body("seat", 15, "seat.acc.z"), body("torso", 40, "sternum.acc.z")),
                 List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
-        Question question = Question.of(model, ride(model, new PolynomialSpring(2.7e7, 5.4e10))).with(Library.standard().with(new Bulging()));
-        Diagnosis diagnosis = Diagnoser.examine(question, (step, share) -> { }).diagnosis();
+        Question question = Question.of(model, ride(model, new PolynomialSpring(2.7e7, 5.4e10)))
+                .with(Library.standard().with(new Bulging()));
+        Diagnosis diagnosis = Diagnoser.examine(question, (step, share) -> {}).diagnosis();
         System.out.println(diagnosis.sentence());
         diagnosis.missing().forEach(each -> System.out.println(each.mechanism() + " at " + each.where() + ": " + each.parameters()));
     }

@@ -33,17 +33,20 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "result", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
-            "control", "identify",
-            "pole", "state", "seat", "fleet", "network", "diagnosis", "export", "learn", "stream", "task", "live", "study", "report", "proof", "cli");
+    private static final List<
+            String> ORDER = List.of("recording", "result", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
+                    "control", "identify",
+                    "pole", "state", "seat", "fleet", "network", "diagnosis", "export", "learn", "stream", "task", "live", "study",
+                    "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
             Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "control", "identify",
                     "pole", "state",
                     "diagnosis", "proof", "learn", "stream")),
-            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "control", "identify", "pole", "state",
-                    "network", "diagnosis")),
+            Map.entry("org.ejml..",
+                    List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "control", "identify", "pole", "state",
+                            "network", "diagnosis")),
             Map.entry("elki..", List.of("pole")),
             Map.entry("org.locationtech.jts..", List.of("pole")),
             Map.entry("weka..", List.of("pole", "state")),
@@ -138,12 +141,14 @@ class ArchitectureTest {
     /** Within a room of several packages: what comes first knows nothing of what comes later. */
     @TestFactory
     Stream<DynamicTest> roomsWithinARoomHaveAnOrder() {
-        return INNER.entrySet().stream().flatMap(room -> room.getValue().stream().map(name -> DynamicTest.dynamicTest(room.getKey() + name, () -> {
-            List<String> names = room.getValue();
-            String[] later = names.subList(names.indexOf(name) + 1, names.size()).stream().map(other -> room.getKey() + other).toArray(String[]::new);
-            noClasses().that().resideInAPackage(room.getKey() + name)
-                    .should().dependOnClassesThat().resideInAnyPackage(later).allowEmptyShould(true).check(MAIN);
-        })));
+        return INNER.entrySet().stream()
+                .flatMap(room -> room.getValue().stream().map(name -> DynamicTest.dynamicTest(room.getKey() + name, () -> {
+                    List<String> names = room.getValue();
+                    String[] later = names.subList(names.indexOf(name) + 1, names.size()).stream().map(other -> room.getKey() + other)
+                            .toArray(String[]::new);
+                    noClasses().that().resideInAPackage(room.getKey() + name)
+                            .should().dependOnClassesThat().resideInAnyPackage(later).allowEmptyShould(true).check(MAIN);
+                })));
     }
 
     /** A page shows what a study found: it drives no estimator, and makes nothing that one is made of. */
@@ -153,9 +158,12 @@ class ArchitectureTest {
                 "wbv.task..", "wbv.rig..", "wbv.seat..", "wbv.fleet..", "wbv.live..", "wbv.proof..", "wbv.body.simulate..").check(MAIN);
         noClasses().that().resideInAPackage("wbv.report..").should().dependOnClassesThat(assignableTo("wbv.filter.Estimator")).check(MAIN);
         noClasses().that().resideInAPackage("wbv.report..").should().callConstructorWhere(target(owner(resideInAnyPackage("wbv.signal..",
-                "wbv.filter..", "wbv.identify..", "wbv.exposure..", "wbv.pole..", "wbv.state..", "wbv.network..", "wbv.diagnosis..")))).check(MAIN);
-        noClasses().that().resideInAPackage("wbv.report.page..").should().dependOnClassesThat().resideInAnyPackage("wbv.study..", "wbv.filter..",
-                "wbv.identify..", "wbv.exposure..", "wbv.pole..", "wbv.state..", "wbv.network..", "wbv.diagnosis..").check(MAIN);
+                "wbv.filter..", "wbv.identify..", "wbv.exposure..", "wbv.pole..", "wbv.state..", "wbv.network..", "wbv.diagnosis.."))))
+                .check(MAIN);
+        noClasses().that().resideInAPackage("wbv.report.page..").should().dependOnClassesThat()
+                .resideInAnyPackage("wbv.study..", "wbv.filter..",
+                        "wbv.identify..", "wbv.exposure..", "wbv.pole..", "wbv.state..", "wbv.network..", "wbv.diagnosis..")
+                .check(MAIN);
     }
 
     /** What is asked and found is not how it looks. */
@@ -170,8 +178,10 @@ class ArchitectureTest {
     void noPackageHoldsMoreThanFortyFiles() throws IOException {
         Map<String, Long> sizes;
         try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
-            sizes = files.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java")).collect(Collectors.groupingBy(
-                    file -> Path.of("src/main/java").relativize(file.getParent()).toString().replace(File.separatorChar, '.'), Collectors.counting()));
+            sizes = files.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java"))
+                    .collect(Collectors.groupingBy(
+                            file -> Path.of("src/main/java").relativize(file.getParent()).toString().replace(File.separatorChar, '.'),
+                            Collectors.counting()));
         }
         sizes.forEach((name, size) -> assertTrue(size <= MOST_FILES, name + " has " + size + " files, more than " + MOST_FILES
                 + ": split it by what its classes are about"));
@@ -185,7 +195,8 @@ class ArchitectureTest {
                 for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
                     List<String> lines = Files.readAllLines(file);
                     for (int i = 0; i < lines.size(); i++) {
-                        assertTrue(lines.get(i).length() <= MOST_COLUMNS, file + ":" + (i + 1) + " has more than " + MOST_COLUMNS + " columns");
+                        assertTrue(lines.get(i).length() <= MOST_COLUMNS,
+                                file + ":" + (i + 1) + " has more than " + MOST_COLUMNS + " columns");
                     }
                 }
             }
@@ -195,8 +206,10 @@ class ArchitectureTest {
     /** A name means one thing. Hosts find our classes in a package of theirs under the names that ours have. */
     @Test
     void noNameStandsInTwoRooms() {
-        Map<String, List<String>> twice = MAIN.stream().filter(type -> type.isTopLevelClass() && !type.getSimpleName().equals("package-info"))
-                .collect(Collectors.groupingBy(JavaClass::getSimpleName, Collectors.mapping(JavaClass::getPackageName, Collectors.toList())));
+        Map<String,
+                List<String>> twice = MAIN.stream().filter(type -> type.isTopLevelClass() && !type.getSimpleName().equals("package-info"))
+                        .collect(Collectors.groupingBy(JavaClass::getSimpleName,
+                                Collectors.mapping(JavaClass::getPackageName, Collectors.toList())));
         twice.values().removeIf(rooms -> rooms.size() == 1);
         assertEquals(Map.of(), twice);
     }

@@ -18,7 +18,8 @@ class DockerfileTest {
     @Test
     void copiesWhatIsThereAndRunsAsNobody() throws IOException {
         List<String> lines = Files.readAllLines(Path.of("Dockerfile"));
-        List<String> kept = Files.readAllLines(Path.of(".dockerignore")).stream().filter(line -> line.startsWith("!")).map(line -> line.substring(1)).toList();
+        List<String> kept = Files.readAllLines(Path.of(".dockerignore")).stream().filter(line -> line.startsWith("!"))
+                .map(line -> line.substring(1)).toList();
         int copied = 0;
         for (String line : lines) {
             if (line.startsWith("COPY ") && !line.contains("--from=")) {

@@ -23,7 +23,8 @@ class DocumentsTest {
             boolean tableEnds = lines.get(i).startsWith("|") && (i + 1 == lines.size() || !lines.get(i + 1).startsWith("|"));
             if (tableEnds) {
                 assertTrue(i + 2 < lines.size() && lines.get(i + 1).isEmpty() && NOTE.matcher(lines.get(i + 2)).matches(),
-                        "docs/" + name + ":" + (i + 1) + ": below the table, after an empty line, must stand: *Commit 0123abc. Command: `…`.* "
+                        "docs/" + name + ":" + (i + 1)
+                                + ": below the table, after an empty line, must stand: *Commit 0123abc. Command: `…`.* "
                                 + "(or *Older: commit …* if it was not measured again)");
             }
         }

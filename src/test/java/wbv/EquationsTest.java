@@ -30,7 +30,7 @@ class EquationsTest {
     private static final Pattern JAVADOC = Pattern.compile("/\\*\\*(.*?)\\*/([^;{]*[;{])", Pattern.DOTALL);
 
     /** @param code where it is computed, or why it is not @param erratum what is wrong in print; may be empty @param test that holds it */
-    private record Row(String number, String what, String code, String erratum, String test) { }
+    private record Row(String number, String what, String code, String erratum, String test) {}
 
     private static List<Row> rows() throws IOException {
         return Files.readAllLines(Path.of("docs/equations.md")).stream().filter(line -> line.matches("\\| \\d-\\d+ \\|.*"))
@@ -64,8 +64,10 @@ class EquationsTest {
             assertTrue(!tests.isEmpty(), "a test");
             for (MatchResult test : tests) {
                 Method method = member(test);
-                assertTrue(Arrays.stream(method.getAnnotations()).anyMatch(each -> each.annotationType().getSimpleName().matches("Test|ParameterizedTest|"
-                        + "TestFactory|RepeatedTest")), test.group() + " is no test");
+                assertTrue(Arrays.stream(method.getAnnotations())
+                        .anyMatch(each -> each.annotationType().getSimpleName().matches("Test|ParameterizedTest|"
+                                + "TestFactory|RepeatedTest")),
+                        test.group() + " is no test");
             }
         }));
     }
@@ -76,7 +78,8 @@ class EquationsTest {
         if (name.group(2) == null) {
             return null;
         }
-        return Arrays.stream(type.getDeclaredMethods()).filter(method -> method.getName().equals(name.group(2)) && !method.isSynthetic()).findFirst()
+        return Arrays.stream(type.getDeclaredMethods()).filter(method -> method.getName().equals(name.group(2)) && !method.isSynthetic())
+                .findFirst()
                 .orElseThrow(() -> new AssertionError(name.group(1) + " has no method " + name.group(2)));
     }
 

@@ -30,8 +30,9 @@ class ExamplesTest {
 
     @BeforeAll
     static void compile() throws Exception {
-        List<String> words = new ArrayList<>(List.of("-Xlint:all,-processing,-classfile,-path", "-Werror", "-proc:none", "-d", classes.toString(), "-cp",
-                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"))));
+        List<String> words = new ArrayList<>(
+                List.of("-Xlint:all,-processing,-classfile,-path", "-Werror", "-proc:none", "-d", classes.toString(), "-cp",
+                        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"))));
         try (Stream<Path> files = Files.list(Path.of("examples"))) {
             files.map(Path::toString).filter(name -> name.endsWith(".java")).sorted().forEach(words::add);
         }
@@ -91,14 +92,16 @@ class ExamplesTest {
     @Test
     void aDiagnosisNamesTheConcealedLaw() throws Exception {
         String text = run("DiagnoseARecording");
-        assertTrue(text.startsWith("missing-physics: ") && text.contains("stiffness.softening at platform-pelvis") && text.endsWith("has 1 laws in its links\n"), text);
+        assertTrue(text.startsWith("missing-physics: ") && text.contains("stiffness.softening at platform-pelvis")
+                && text.endsWith("has 1 laws in its links\n"), text);
     }
 
     @Tag("slow")
     @Test
     void aLawOfOnesOwnIsNamedInItsOwnWords() throws Exception {
         String text = run("OwnLaw");
-        assertTrue(text.startsWith("The cushion seat-torso bulges (quadratic stiffness ") && text.contains("cushion.bulging at seat-torso"), text);
+        assertTrue(text.startsWith("The cushion seat-torso bulges (quadratic stiffness ") && text.contains("cushion.bulging at seat-torso"),
+                text);
         assertEquals(2.7e7, numbers("k2_N_per_m2=([0-9.E]+)", text).get(0), 0.05 * 2.7e7);
     }
 }

@@ -48,7 +48,8 @@ class PublicDocumentationTest {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         try (Stream<Path> tree = Files.walk(Path.of("src/main/java"));
                 StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
-            List<Path> sources = tree.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java")).sorted().toList();
+            List<Path> sources = tree.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java")).sorted()
+                    .toList();
             List<String> gaps = gaps(files.getJavaFileObjectsFromPaths(sources));
             if (!gaps.isEmpty()) {
                 fail(gaps.size() + " public members without the Javadoc that CONTRIBUTING.md asks for:\n" + String.join("\n", gaps));
@@ -167,14 +168,16 @@ class PublicDocumentationTest {
 
         @Override
         public Void visitMethod(MethodTree method, Void nothing) {
-            if (!isVisible(method.getModifiers()) || overrides(method) || isMadeByTheRecord(method) || method.getName().contentEquals("main")) {
+            if (!isVisible(method.getModifiers()) || overrides(method) || isMadeByTheRecord(method)
+                    || method.getName().contentEquals("main")) {
                 return null;
             }
             String name = (method.getReturnType() == null ? "constructor " + enclosing().getSimpleName() : method.getName())
                     + "(" + String.join(", ", method.getParameters().stream().map(each -> each.getName().toString()).toList()) + ")";
             askForSummary(method, name);
             String said = docs.getDocComment(getCurrentPath());
-            if (said != null && method.getParameters().stream().anyMatch(Reader::takesArray) && !SAYS_WHAT_BECOMES_OF_ARRAYS.matcher(said).find()) {
+            if (said != null && method.getParameters().stream().anyMatch(Reader::takesArray)
+                    && !SAYS_WHAT_BECOMES_OF_ARRAYS.matcher(said).find()) {
                 gaps.add(place(method) + " " + name + ": say whether the array is modified");
             }
             return null;
@@ -183,7 +186,8 @@ class PublicDocumentationTest {
         private void askForSummary(Tree member, String name) {
             DocCommentTree said = docs.getDocCommentTree(getCurrentPath());
             if (said == null || said.getFullBody().isEmpty()
-                    && said.getBlockTags().stream().noneMatch(tag -> tag instanceof ReturnTree result && !result.getDescription().isEmpty())) {
+                    && said.getBlockTags().stream()
+                            .noneMatch(tag -> tag instanceof ReturnTree result && !result.getDescription().isEmpty())) {
                 gaps.add(place(member) + " " + name + ": no summary");
             }
         }
@@ -218,9 +222,11 @@ class PublicDocumentationTest {
             if (enclosing().getKind() != Tree.Kind.RECORD) {
                 return false;
             }
-            List<VariableTree> components = enclosing().getMembers().stream().filter(VariableTree.class::isInstance).map(VariableTree.class::cast)
+            List<VariableTree> components = enclosing().getMembers().stream().filter(VariableTree.class::isInstance)
+                    .map(VariableTree.class::cast)
                     .filter(field -> !field.getModifiers().getFlags().contains(Modifier.STATIC)).toList();
-            boolean accessor = method.getParameters().isEmpty() && components.stream().anyMatch(field -> field.getName().equals(method.getName()));
+            boolean accessor = method.getParameters().isEmpty()
+                    && components.stream().anyMatch(field -> field.getName().equals(method.getName()));
             boolean canonical = method.getReturnType() == null && types(method.getParameters()).equals(types(components));
             return accessor || canonical;
         }

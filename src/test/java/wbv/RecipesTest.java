@@ -26,7 +26,7 @@ class RecipesTest {
     private static final int RECIPES = 6;
 
     /** @param steps file and word */
-    private record Recipe(String name, String example, List<MatchResult> steps) { }
+    private record Recipe(String name, String example, List<MatchResult> steps) {}
 
     private static List<Recipe> recipes() throws IOException {
         String text = Files.readString(GUIDE);
@@ -48,7 +48,8 @@ class RecipesTest {
         return recipes.stream().map(recipe -> DynamicTest.dynamicTest(recipe.name(), () -> {
             assertTrue(recipe.steps().size() >= 2, "a recipe of one step");
             for (MatchResult step : recipe.steps()) {
-                assertTrue(Files.readString(Path.of(step.group(1))).contains(step.group(2)), step.group(1) + " has no '" + step.group(2) + "'");
+                assertTrue(Files.readString(Path.of(step.group(1))).contains(step.group(2)),
+                        step.group(1) + " has no '" + step.group(2) + "'");
             }
         }));
     }
@@ -56,12 +57,14 @@ class RecipesTest {
     @TestFactory
     Stream<DynamicTest> noStepIsLeftOut() throws IOException {
         return recipes().stream().map(recipe -> DynamicTest.dynamicTest(recipe.name(), () -> {
-            Pattern example = Pattern.compile("(?<![\\w.])" + Pattern.quote(recipe.example()) + "(?!\\w)|\\w\\." + Pattern.quote(recipe.example()) + "(?!\\w)");
+            Pattern example = Pattern.compile(
+                    "(?<![\\w.])" + Pattern.quote(recipe.example()) + "(?!\\w)|\\w\\." + Pattern.quote(recipe.example()) + "(?!\\w)");
             TreeSet<String> left = new TreeSet<>();
             try (Stream<Path> files = Files.walk(Path.of("src/main"))) {
                 for (Path file : files.filter(path -> path.toString().matches(".*\\.(java|py|c)")).toList()) {
                     String name = file.toString().replace('\\', '/');
-                    if (example.matcher(Files.readString(file)).find() && recipe.steps().stream().noneMatch(step -> step.group(1).equals(name))) {
+                    if (example.matcher(Files.readString(file)).find()
+                            && recipe.steps().stream().noneMatch(step -> step.group(1).equals(name))) {
                         left.add(name);
                     }
                 }

@@ -75,7 +75,8 @@ class ReferenceTest {
     @Test
     void sidecarAndColumnMapThatAreShownAreRead(@TempDir Path room) throws IOException {
         List<String> shown = examples("recording.md");
-        assertEquals(Optional.of("haul road, loaded"), Sidecar.read(Files.writeString(room.resolve("ride.json"), shown.get(0))).metadata().task());
+        assertEquals(Optional.of("haul road, loaded"),
+                Sidecar.read(Files.writeString(room.resolve("ride.json"), shown.get(0))).metadata().task());
         assertEquals(1, ColumnMap.read(Files.writeString(room.resolve("map.json"), shown.get(1))).patterns().size());
     }
 
@@ -114,8 +115,8 @@ class ReferenceTest {
             assertTrue(words.contains(quantity.symbol()), quantity.symbol());
         }
         Stream<String> units = Stream.concat(Stream.of("s"), Arrays.stream(Quantity.values()).map(Quantity::unit)).distinct();
-        units.filter(unit -> !Unit.symbols(unit).isEmpty() && !unit.equals("1") && !unit.equals("a.u.")).forEach(unit ->
-                assertTrue(page.contains("\n- " + unit + ": `" + Unit.symbols(unit).replace(", ", "`, `") + "`\n"), unit));
+        units.filter(unit -> !Unit.symbols(unit).isEmpty() && !unit.equals("1") && !unit.equals("a.u."))
+                .forEach(unit -> assertTrue(page.contains("\n- " + unit + ": `" + Unit.symbols(unit).replace(", ", "`, `") + "`\n"), unit));
     }
 
     @Test

@@ -61,7 +61,8 @@ class SiteTest {
     /** Of headings, as GitHub makes them. A second heading of the same words has none here: GitHub and MkDocs number it differently. */
     private static TreeSet<String> anchors(String markdown) {
         TreeSet<String> anchors = new TreeSet<>();
-        HEADING.matcher(FENCED.matcher(markdown).replaceAll("")).results().map(heading -> heading.group(1).replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1"))
+        HEADING.matcher(FENCED.matcher(markdown).replaceAll("")).results()
+                .map(heading -> heading.group(1).replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1"))
                 .forEach(words -> anchors.add(words.toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N}_\\- ]", "").replace(' ', '-')));
         return anchors;
     }
@@ -69,13 +70,15 @@ class SiteTest {
     @Test
     void everyPageStandsOnceInTheContents() throws IOException {
         String settings = Files.readString(Path.of("mkdocs.yml"));
-        List<String> contents = Pattern.compile(": (\\S+\\.md)$", Pattern.MULTILINE).matcher(settings.substring(settings.indexOf("\nnav:"))).results()
+        List<String> contents = Pattern.compile(": (\\S+\\.md)$", Pattern.MULTILINE).matcher(settings.substring(settings.indexOf("\nnav:")))
+                .results()
                 .map(page -> page.group(1)).toList();
         for (String page : contents) {
             Path file = page.startsWith("repository/") ? Path.of(page.substring("repository/".length())) : Path.of("docs", page);
             assertTrue(Files.exists(file), page + " is not there");
         }
         List<String> ours = contents.stream().filter(page -> !page.startsWith("repository/")).sorted().toList();
-        assertEquals(pages().stream().map(page -> ROOT.resolve("docs").relativize(page).toString().replace('\\', '/')).sorted().toList(), ours);
+        assertEquals(pages().stream().map(page -> ROOT.resolve("docs").relativize(page).toString().replace('\\', '/')).sorted().toList(),
+                ours);
     }
 }

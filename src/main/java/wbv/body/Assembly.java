@@ -21,7 +21,7 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
     }
 
     /** A drive and where it acts. @param place index of a body for one that {@link Drive#actsOnBody}, of a link for the others */
-    public record DriveAt(int place, Drive drive) { }
+    public record DriveAt(int place, Drive drive) {}
 
     /** What an output reads. */
     public enum Reading { ACCELERATION, VELOCITY, POSITION, LINK_FORCE }

@@ -37,7 +37,7 @@ public sealed interface Drive {
      * @param upper acceleration across at the upper end @param lower likewise at the lower end @param stiffness [N/m]
      */
     record CrossAxis(@Key("upper") Channel upper, @Key("lower") Channel lower,
-                     @Key("cross_stiffness_N_per_m") double stiffness) implements Drive {
+            @Key("cross_stiffness_N_per_m") double stiffness) implements Drive {
         public CrossAxis {
             Check.finite("cross stiffness", "N/m", stiffness);
         }
@@ -100,8 +100,10 @@ public sealed interface Drive {
      * @param damping ratio of the swing [1], &gt; 0
      * @param height over the axis of rotation [m]
      */
-    record UpperSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("lower") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
-                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Swings {
+    record UpperSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("lower") Channel measured,
+            @Key("cross_stiffness_N_per_m") double stiffness,
+            @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height)
+            implements Swings {
         public UpperSwings {
             Swings.check(stiffness, frequency, damping, height);
         }
@@ -122,8 +124,10 @@ public sealed interface Drive {
      * @param frequency as there
      * @param damping as there @param height as there
      */
-    record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
-                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Swings {
+    record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured,
+            @Key("cross_stiffness_N_per_m") double stiffness,
+            @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height)
+            implements Swings {
         public LowerSwings {
             Swings.check(stiffness, frequency, damping, height);
         }

@@ -72,7 +72,8 @@ final class JsonPlace {
     }
 
     Optional<JsonPlace> optional(String key) {
-        return node.hasNonNull(key) ? Optional.of(node.get(key).isObject() ? new JsonPlace(node.get(key), place + ": " + key) : this) : Optional.empty();
+        return node.hasNonNull(key) ? Optional.of(node.get(key).isObject() ? new JsonPlace(node.get(key), place + ": " + key) : this)
+                : Optional.empty();
     }
 
     boolean has(String key) {

@@ -22,8 +22,10 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
     public Kinematics {
         stretch = List.copyOf(stretch);
         int bodies = carried.length;
-        if (massOf.length != bodies || bodies > 0 && Arrays.stream(carried).anyMatch(row -> row.length != carried[0].length || row.length == 0)) {
-            throw new IllegalArgumentException("kinematics need as many axes for each of " + bodies + " coordinates, at least one, and whose mass each has");
+        if (massOf.length != bodies
+                || bodies > 0 && Arrays.stream(carried).anyMatch(row -> row.length != carried[0].length || row.length == 0)) {
+            throw new IllegalArgumentException(
+                    "kinematics need as many axes for each of " + bodies + " coordinates, at least one, and whose mass each has");
         }
         for (int i = 0; i < bodies; i++) {
             if (massOf[i] < 0 || massOf[i] >= bodies || massOf[massOf[i]] != massOf[i]) {
@@ -32,7 +34,8 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
         }
         for (Row row : stretch) {
             if (Arrays.stream(row.at()).anyMatch(i -> i >= bodies)) {
-                throw new IllegalArgumentException("a link is stretched by coordinates of which there are " + bodies + ": " + Arrays.toString(row.at()));
+                throw new IllegalArgumentException(
+                        "a link is stretched by coordinates of which there are " + bodies + ": " + Arrays.toString(row.at()));
             }
         }
     }

@@ -93,22 +93,24 @@ final class MatrixForm {
                 by.put(axes.get(axis), carried.getEntry(i, axis));
             }
             int own = i;
-            out.add(at.guard(() -> new Model.Body(names.get(own), mass[own], Optional.empty(), List.of(), Optional.empty(), List.of(), false, by,
-                    Optional.empty(), false, Optional.empty())));
+            out.add(at.guard(
+                    () -> new Model.Body(names.get(own), mass[own], Optional.empty(), List.of(), Optional.empty(), List.of(), false, by,
+                            Optional.empty(), false, Optional.empty())));
         }
         return out;
     }
 
     /** Where a spring or a dashpot acts. */
-    private record Joint(String from, String to, Map<String, Double> arms) { }
+    private record Joint(String from, String to, Map<String, Double> arms) {}
 
     private List<Model.Link> links(String ground) {
         Map<Joint, double[]> joints = new LinkedHashMap<>();
         join(ground, stiffness, 0, joints);
         join(ground, damping, 1, joints);
         List<Model.Link> out = new ArrayList<>();
-        joints.forEach((joint, values) -> out.add(at.guard(() -> new Model.Link(joint.from(), joint.to(), values[0], values[1], Optional.empty(), List.of(),
-                List.of(), List.of(), joint.arms(), Optional.empty()))));
+        joints.forEach((joint, values) -> out
+                .add(at.guard(() -> new Model.Link(joint.from(), joint.to(), values[0], values[1], Optional.empty(), List.of(),
+                        List.of(), List.of(), joint.arms(), Optional.empty()))));
         for (JsonPlace place : at.child("matrices").optionalList("places")) {
             place.allow(Set.of("from", "to", "laws"));
             out.add(ModelFile.link(place, place.text("from"), place.text("to"), 0, 0, Map.of(), Optional.empty()));
@@ -139,7 +141,8 @@ final class MatrixForm {
                 double entry = i == j ? 0 : matrix.getEntry(i, j);
                 rest -= Math.abs(entry);
                 if (i < j && entry != 0) {
-                    out.put(entry < 0 ? new Joint(names.get(i), names.get(j), Map.of()) : new Joint(ground, names.get(j), Map.of(names.get(i), 1.0)), Math.abs(entry));
+                    out.put(entry < 0 ? new Joint(names.get(i), names.get(j), Map.of())
+                            : new Joint(ground, names.get(j), Map.of(names.get(i), 1.0)), Math.abs(entry));
                 }
             }
             out.put(new Joint(ground, names.get(j), Map.of()), rest);
@@ -156,7 +159,8 @@ final class MatrixForm {
             double pivot = left[i][i];
             if (pivot < ROUNDING * largest(matrix)) {
                 if (pivot < -ROUNDING * largest(matrix)) {
-                    throw at.fault(String.format(Locale.ROOT, "K and C must not give energy: %s would (%.3g is left of its entry)", names.get(i), pivot));
+                    throw at.fault(String.format(Locale.ROOT, "K and C must not give energy: %s would (%.3g is left of its entry)",
+                            names.get(i), pivot));
                 }
                 continue;
             }
@@ -212,8 +216,9 @@ final class MatrixForm {
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < i; j++) {
                 if (Math.abs(read.getEntry(i, j) - read.getEntry(j, i)) > SYMMETRY * most) {
-                    throw matrices.fault("'" + key + "' must be symmetric: entries " + i + ", " + j + " are " + read.getEntry(i, j) + " and "
-                            + read.getEntry(j, i) + ". Cross gains that are not go into 'reads'");
+                    throw matrices
+                            .fault("'" + key + "' must be symmetric: entries " + i + ", " + j + " are " + read.getEntry(i, j) + " and "
+                                    + read.getEntry(j, i) + ". Cross gains that are not go into 'reads'");
                 }
             }
         }

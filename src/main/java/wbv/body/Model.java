@@ -36,7 +36,7 @@ import wbv.recording.Quantity;
  * @param sensors what reads more than one body's own motion
  */
 public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
-                    Optional<Subject> declared, List<Sensor> sensors) {
+        Optional<Subject> declared, List<Sensor> sensors) {
 
     /** In a plane. @param x forward [m] @param z upward [m] */
     public record Point(double x, double z) {
@@ -155,16 +155,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      *              {@code .pitch}
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                       List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
+            List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
         /** A body along the base's first axis, with a mass of its own. */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                    List<Drive> forces, boolean fixed) {
+                List<Drive> forces, boolean fixed) {
             this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false, Optional.empty());
         }
 
         /** A body that is free to move along the base's first axis. */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                    List<Drive> forces) {
+                List<Drive> forces) {
             this(name, mass, sensor, faults, hidden, forces, false);
         }
 
@@ -196,7 +196,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
     /** A mass that rides on a body. @param mass [kg] @param frequency of its own [Hz] @param dampingRatio of its own [1], all &gt; 0 */
     public record HiddenMode(@Key("mass_kg") double mass, @Key("frequency_hz") double frequency,
-                             @Key("damping_ratio") double dampingRatio) {
+            @Key("damping_ratio") double dampingRatio) {
         public HiddenMode {
             Check.positive("hidden mass", "kg", mass);
             Check.positive("hidden mode's frequency", "Hz", frequency);
@@ -226,15 +226,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param at   where it acts, in a plane
      */
     public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
-                       List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms, Optional<Point> at) {
+            List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms, Optional<Point> at) {
         /** A link that its two ends alone stretch. */
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
-                    List<Drive> drives, List<SensorFault> faults) {
+                List<Drive> drives, List<SensorFault> faults) {
             this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of(), Optional.empty());
         }
 
         /** A link that its two ends alone stretch, its sensor without faults. */
-        public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws, List<Drive> drives) {
+        public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
+                List<Drive> drives) {
             this(from, to, stiffness, damping, sensor, laws, drives, List.of());
         }
 
@@ -280,7 +281,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         for (Link link : links) {
             for (String end : List.of(link.from(), link.to())) {
                 if (!names.contains(end)) {
-                    throw new IllegalArgumentException("link " + link.name() + " joins '" + end + "', which is no body; there are " + names);
+                    throw new IllegalArgumentException(
+                            "link " + link.name() + " joins '" + end + "', which is no body; there are " + names);
                 }
             }
             if (link.from().equals(link.to())) {
@@ -290,7 +292,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         Set<String> reached = new HashSet<>(Set.of(base.name()));
         for (int pass = 0; pass < bodies.size(); pass++) {
             for (Link link : links) {
-                if (reached.contains(link.from()) || reached.contains(link.to()) || link.arms().keySet().stream().anyMatch(reached::contains)) {
+                if (reached.contains(link.from()) || reached.contains(link.to())
+                        || link.arms().keySet().stream().anyMatch(reached::contains)) {
                     reached.add(link.from());
                     reached.add(link.to());
                     reached.addAll(link.arms().keySet());
@@ -306,14 +309,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         checkInputs(base, bodies, links, inputs);
         checkMotions(base, bodies, links, sensors);
         if (declared.equals(Optional.of(Subject.PERSON)) && (!inputs.isEmpty() || bodies.get(0).fixed())) {
-            throw new IllegalArgumentException("'subject' is person, but " + (inputs.isEmpty() ? "all bodies are fixed, so that the links are driven"
-                    : "the measured force " + inputs.get(0).sensor() + " is an input") + ": only a rig has that; say \"subject\": \"rig\"");
+            throw new IllegalArgumentException("'subject' is person, but "
+                    + (inputs.isEmpty() ? "all bodies are fixed, so that the links are driven"
+                            : "the measured force " + inputs.get(0).sensor() + " is an input")
+                    + ": only a rig has that; say \"subject\": \"rig\"");
         }
     }
 
     /** Each sensor reads one body's own motion. */
     public Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
-                 Optional<Subject> declared) {
+            Optional<Subject> declared) {
         this(name, source, axis, base, bodies, links, inputs, declared, List.of());
     }
 
@@ -330,12 +335,14 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     private static void checkInputs(Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
         for (Input input : inputs) {
             if (bodies.stream().noneMatch(body -> body.name().equals(input.body()) && !body.fixed())) {
-                throw new IllegalArgumentException("the input " + input.sensor() + " acts on '" + input.body() + "', which is no body that can move");
+                throw new IllegalArgumentException(
+                        "the input " + input.sensor() + " acts on '" + input.body() + "', which is no body that can move");
             }
         }
         if (!inputs.isEmpty() && base.sensor().isPresent()) {
-            throw new IllegalArgumentException("with measured forces as inputs the base '" + base.name() + "' must be at rest: its sensor null, not "
-                    + base.sensor().get());
+            throw new IllegalArgumentException(
+                    "with measured forces as inputs the base '" + base.name() + "' must be at rest: its sensor null, not "
+                            + base.sensor().get());
         }
         long fixed = bodies.stream().filter(Body::fixed).count();
         if (fixed > 0 && fixed < bodies.size()) {
@@ -346,8 +353,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             for (Law law : links.get(l).laws()) {
                 int own = l;
                 if (law.modulator().otherLink().filter(other -> other.link() >= links.size() || other.link() == own).isPresent()) {
-                    throw new IllegalArgumentException("a law of link " + links.get(l).name() + " goes by the " + law.modulator() + "; there are " + links.size()
-                            + " links, and it must be another one");
+                    throw new IllegalArgumentException(
+                            "a law of link " + links.get(l).name() + " goes by the " + law.modulator() + "; there are " + links.size()
+                                    + " links, and it must be another one");
                 }
             }
         }
@@ -364,7 +372,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         for (Link link : links) {
             mustBe(names, link.arms().keySet(), "link " + link.name());
             if (link.arms().containsKey(link.from()) || link.arms().containsKey(link.to())) {
-                throw new IllegalArgumentException("link " + link.name() + " has an arm at one of its own ends, which stretch it as they are");
+                throw new IllegalArgumentException(
+                        "link " + link.name() + " has an arm at one of its own ends, which stretch it as they are");
             }
         }
         for (Sensor sensor : sensors) {
@@ -374,19 +383,23 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             body.at().ifPresent(at -> motionOf(body.name()));
             body.massOf().ifPresent(other -> {
                 mustBe(names, Set.of(other), "the mass of '" + body.name() + "'");
-                if (bodies.stream().noneMatch(each -> each.name().equals(other) && each.massOf().isEmpty() && each.mass() == body.mass() && !each.turns())) {
-                    throw new IllegalArgumentException("'" + body.name() + "' has the mass of '" + other + "', which must have its own, the same");
+                if (bodies.stream().noneMatch(
+                        each -> each.name().equals(other) && each.massOf().isEmpty() && each.mass() == body.mass() && !each.turns())) {
+                    throw new IllegalArgumentException(
+                            "'" + body.name() + "' has the mass of '" + other + "', which must have its own, the same");
                 }
             });
             for (Channel axis : body.carried().keySet()) {
                 if (!base.sensors().contains(axis)) {
-                    throw new IllegalArgumentException("'" + body.name() + "' is carried by " + axis + ", which is no sensor of the base '" + base.name() + "': "
-                            + base.sensors());
+                    throw new IllegalArgumentException(
+                            "'" + body.name() + "' is carried by " + axis + ", which is no sensor of the base '" + base.name() + "': "
+                                    + base.sensors());
                 }
             }
         }
         if (bodies.get(0).fixed() && (!base.further().isEmpty() || !sensors.isEmpty())) {
-            throw new IllegalArgumentException("driven links have one stroke, and sensors that read their force: no further axes, no further sensors");
+            throw new IllegalArgumentException(
+                    "driven links have one stroke, and sensors that read their force: no further axes, no further sensors");
         }
     }
 
@@ -413,8 +426,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
     /** The sentence that says what an undeclared model is taken for, and why; empty for one that is declared. */
     public Optional<String> guess() {
-        String why = driven() ? "its links are driven" : inputs.isEmpty() ? "its base moves it; a rig says \"subject\": \"rig\"" : "measured forces push it";
-        return declared.isPresent() ? Optional.empty() : Optional.of("The model does not say its \"subject\"; it is taken for a " + subject().word() + ", since " + why + ".");
+        String why = driven() ? "its links are driven"
+                : inputs.isEmpty() ? "its base moves it; a rig says \"subject\": \"rig\"" : "measured forces push it";
+        return declared.isPresent() ? Optional.empty()
+                : Optional.of("The model does not say its \"subject\"; it is taken for a " + subject().word() + ", since " + why + ".");
     }
 
     /** The channels that move the model: the base's sensor, or the measured forces. */
@@ -498,7 +513,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             body.forces().forEach(force -> drives.add(new Assembly.DriveAt(place, force)));
             inputs.stream().filter(input -> input.body().equals(body.name()))
                     .forEach(input -> drives.add(new Assembly.DriveAt(place, new Drive.Measured(input.sensor(), input.offset()))));
-            body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults(), Row.of(place), mount(body.name(), body.at()))));
+            body.sensor().ifPresent(sensor -> outputs
+                    .add(new Assembly.Output(place, reading(sensor), body.faults(), Row.of(place), mount(body.name(), body.at()))));
         }
         for (int i = 0; i < bodies.size(); i++) {
             int place = i;
@@ -511,7 +527,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
         for (int l = 0; l < links.size(); l++) {
             int place = l;
-            links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, links.get(place).faults())));
+            links.get(l).sensor()
+                    .ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, links.get(place).faults())));
         }
         for (Sensor sensor : sensors) {
             outputs.add(new Assembly.Output(index(sensor.body()), reading(sensor.channel()), sensor.faults(), row(sensor.reads()),
@@ -575,7 +592,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     }
 
     private Point centre(String rigid) {
-        return bodies.stream().filter(body -> body.at().isPresent() && whole(body.name()).equals(rigid)).findFirst().flatMap(Body::at).orElseThrow();
+        return bodies.stream().filter(body -> body.at().isPresent() && whole(body.name()).equals(rigid)).findFirst().flatMap(Body::at)
+                .orElseThrow();
     }
 
     private Optional<Plane.Mount> mount(String motion, Optional<Point> at) {

@@ -39,7 +39,7 @@ public final class ModelFile {
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
 
-    private ModelFile() { }
+    private ModelFile() {}
 
     /** Reads a model. @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
     public static Model read(Path file) throws IOException {
@@ -79,15 +79,18 @@ public final class ModelFile {
         base.allow(Set.of("name", "sensor", "mass_kg", "further", "at_m"));
         List<Model.Body> bodies = new ArrayList<>();
         for (JsonPlace body : at.list("bodies")) {
-            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden", "forces", "fixed"));
+            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden", "forces",
+                    "fixed"));
             List<SensorFault> faults = faults(body);
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
-            Optional<Model.HiddenMode> hidden = body.optional("hidden").map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
+            Optional<Model.HiddenMode> hidden = body.optional("hidden")
+                    .map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
             boolean fixed = body.flag("fixed");
             boolean turns = body.has("inertia_kgm2");
             Optional<String> massOf = body.has("mass_of") ? Optional.of(body.text("mass_of")) : Optional.empty();
-            double mass = fixed ? 1 : massOf.isPresent() ? massOf(massOf.get(), bodies, body) : body.mass(turns ? "inertia_kgm2" : "mass_kg");
+            double mass = fixed ? 1
+                    : massOf.isPresent() ? massOf(massOf.get(), bodies, body) : body.mass(turns ? "inertia_kgm2" : "mass_kg");
             Map<Channel, Double> carried = new LinkedHashMap<>();
             body.factors("carried").forEach((axis, part) -> carried.put(body.guard(() -> Channel.parse(axis)), part));
             bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed,
@@ -108,7 +111,8 @@ public final class ModelFile {
             sensors.add(sensor.guard(() -> new Model.Sensor(channel, sensor.factors("reads"), faults(sensor), sensor.point("at_m"))));
         }
         List<Channel> further = base.texts("further").stream().map(name -> base.guard(() -> Channel.parse(name))).toList();
-        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further, base.point("at_m")));
+        Model.Base ground = base.guard(
+                () -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further, base.point("at_m")));
         return model(at, ground, bodies, links, sensors);
     }
 
@@ -119,7 +123,8 @@ public final class ModelFile {
 
     /** The key of any number of a law, such as {@code k3_N_per_m3}, where its link acts about an axis: {@code k3_Nm_per_rad3}. */
     public static String keyAbout(String key) {
-        String turned = key.replaceAll("_N(s2?)?_per_m(?=$|_|\\d)", "_Nm$1_per_rad").replaceAll("_m_per_s$", "_rad_per_s").replaceAll("_per_m2$", "_per_rad2");
+        String turned = key.replaceAll("_N(s2?)?_per_m(?=$|_|\\d)", "_Nm$1_per_rad").replaceAll("_m_per_s$", "_rad_per_s")
+                .replaceAll("_per_m2$", "_per_rad2");
         return turned.replaceAll("_N$", "_Nm").replaceAll("_m$", "_rad");
     }
 
@@ -133,7 +138,8 @@ public final class ModelFile {
         List<Model.Input> inputs = new ArrayList<>();
         for (JsonPlace input : at.optionalList("inputs")) {
             input.allow(Set.of("body", "sensor", "offset_N"));
-            Channel sensor = input.channel("sensor").orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
+            Channel sensor = input.channel("sensor")
+                    .orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
             inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.numberOr("offset_N", 0))));
         }
         String axis = at.optional("axis").isPresent() ? at.text("axis") : "z";
@@ -141,12 +147,14 @@ public final class ModelFile {
             throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
-        Optional<Model.Subject> declared = at.has("subject") ? Optional.of((Model.Subject) word(at, "subject", Model.Subject.class)) : Optional.empty();
+        Optional<Model.Subject> declared = at.has("subject") ? Optional.of((Model.Subject) word(at, "subject", Model.Subject.class))
+                : Optional.empty();
         return new Model(at.text("name"), source, axis.charAt(0), base, bodies, links, inputs, declared, sensors);
     }
 
     /** A link with the laws, the sensor and its faults that stand at a place in the file. */
-    static Model.Link link(JsonPlace at, String from, String to, double stiffness, double damping, Map<String, Double> arms, Optional<Model.Point> point) {
+    static Model.Link link(JsonPlace at, String from, String to, double stiffness, double damping, Map<String, Double> arms,
+            Optional<Model.Point> point) {
         List<Law> laws = new ArrayList<>();
         List<Drive> drives = new ArrayList<>();
         for (JsonPlace law : at.optionalList("laws")) {
@@ -231,8 +239,9 @@ public final class ModelFile {
     /** A constant of an enumeration, by its name in any case. */
     private static Object word(JsonPlace at, String key, Class<?> type) {
         return Arrays.stream(type.getEnumConstants()).filter(each -> each.toString().equalsIgnoreCase(at.text(key))).findFirst()
-                .orElseThrow(() -> at.fault("'" + key + "' must be one of " + Arrays.toString(type.getEnumConstants()).toLowerCase(Locale.ROOT) + ": '"
-                        + at.text(key) + "'"));
+                .orElseThrow(() -> at
+                        .fault("'" + key + "' must be one of " + Arrays.toString(type.getEnumConstants()).toLowerCase(Locale.ROOT) + ": '"
+                                + at.text(key) + "'"));
     }
 
     private static ObjectNode tree(Model model) {

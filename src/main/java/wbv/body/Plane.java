@@ -18,7 +18,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
     public enum Motion { X, Z, PITCH }
 
     /** A body. @param coordinate of each motion, -1 for none. Not copied @param x of its centre of mass [m] @param z likewise */
-    public record Rigid(int[] coordinate, double x, double z) { }
+    public record Rigid(int[] coordinate, double x, double z) {}
 
     /**
      * A link at a point.
@@ -29,7 +29,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
      * @param x of the point [m]
      * @param z likewise
      */
-    public record Joint(int link, Motion along, int lower, int upper, double x, double z) { }
+    public record Joint(int link, Motion along, int lower, int upper, double x, double z) {}
 
     /**
      * Where a sensor sits.
@@ -39,7 +39,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
      * @param x from the body's centre [m]
      * @param z likewise
      */
-    public record Mount(int body, Motion reads, double x, double z) { }
+    public record Mount(int body, Motion reads, double x, double z) {}
 
     public Plane {
         bodies = List.copyOf(bodies);

@@ -88,7 +88,8 @@ final class PlaneForm {
             }
         }
         boolean turns = body.has("inertia_kgm2");
-        for (Plane.Motion motion : turns ? List.of(Plane.Motion.X, Plane.Motion.Z, Plane.Motion.PITCH) : List.of(Plane.Motion.X, Plane.Motion.Z)) {
+        for (Plane.Motion motion : turns ? List.of(Plane.Motion.X, Plane.Motion.Z, Plane.Motion.PITCH)
+                : List.of(Plane.Motion.X, Plane.Motion.Z)) {
             boolean angle = motion == Plane.Motion.PITCH;
             Optional<String> massOf = motion == Plane.Motion.Z ? Optional.of(name(name, Plane.Motion.X)) : Optional.empty();
             double mass = body.mass(angle ? "inertia_kgm2" : "mass_kg");
@@ -98,7 +99,8 @@ final class PlaneForm {
             motions.add(name(name, motion));
         }
         if (!turns && (own.containsKey(Plane.Motion.PITCH) || !beside.isEmpty())) {
-            throw body.fault("'" + name + "' has no inertia_kgm2 and so does not turn: its sensors read x and z at its centre, one of each");
+            throw body
+                    .fault("'" + name + "' has no inertia_kgm2 and so does not turn: its sensors read x and z at its centre, one of each");
         }
         sensors.addAll(beside);
     }
@@ -146,8 +148,9 @@ final class PlaneForm {
         }
         arms.keySet().retainAll(motions);   // a body that does not turn has no lever
         String lower = from.equals(ground) ? ground : moving(link, from, motion);
-        links.add(ModelFile.link(link, lower, moving(link, to, motion), link.number("stiffness" + unit), link.number("damping" + rate), arms,
-                motion == Plane.Motion.PITCH ? Optional.empty() : Optional.of(point(link, "at_m"))));
+        links.add(
+                ModelFile.link(link, lower, moving(link, to, motion), link.number("stiffness" + unit), link.number("damping" + rate), arms,
+                        motion == Plane.Motion.PITCH ? Optional.empty() : Optional.of(point(link, "at_m"))));
     }
 
     /** Where a body's centre is; none for the base. */

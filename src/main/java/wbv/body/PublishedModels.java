@@ -18,7 +18,7 @@ public final class PublishedModels {
             "fairley-griffin-1989-1dof", "iso-5982-2001-3dof", "wan-schimmels-1995-4dof", "wei-griffin-1998-1dof",
             "wei-griffin-1998-2dof");
 
-    private PublishedModels() { }
+    private PublishedModels() {}
 
     /** The names, in alphabetical order. */
     public static List<String> names() {

@@ -13,7 +13,8 @@ public record Row(int[] at, double[] by) {
 
     public Row {
         if (at.length != by.length || Arrays.stream(at).distinct().count() < at.length || Arrays.stream(at).anyMatch(i -> i < 0)) {
-            throw new IllegalArgumentException("a combination needs each coordinate once, with one factor: " + Arrays.toString(at) + ", " + Arrays.toString(by));
+            throw new IllegalArgumentException(
+                    "a combination needs each coordinate once, with one factor: " + Arrays.toString(at) + ", " + Arrays.toString(by));
         }
     }
 

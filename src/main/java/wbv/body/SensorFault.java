@@ -47,7 +47,8 @@ public sealed interface SensorFault {
      *
      * @param frequency of small motion [Hz], &gt; 0 @param dampingRatio of small motion [1], &gt; 0 @param cubic c [1/m²], at least 0
      */
-    record StiffeningMount(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio, @Key("cubic_per_m2") double cubic)
+    record StiffeningMount(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio,
+            @Key("cubic_per_m2") double cubic)
             implements SensorFault {
         public StiffeningMount {
             Check.positive("mount frequency", "Hz", frequency);
@@ -88,7 +89,7 @@ public sealed interface SensorFault {
      * to beside [rad], both within ±1
      */
     record Misalignment(@Key("across") Channel across, @Key("beside") Channel beside, @Key("towards_x_rad") double towardsX,
-                        @Key("towards_y_rad") double towardsY) implements SensorFault {
+            @Key("towards_y_rad") double towardsY) implements SensorFault {
         public Misalignment {
             Check.within("tilt towards x", "rad", towardsX, -1, 1);
             Check.within("tilt towards y", "rad", towardsY, -1, 1);

@@ -3,7 +3,7 @@ package wbv.body;
 /** Arithmetic of spectra held as arrays: real part of line k at 2k, imaginary part at 2k + 1. */
 public final class Spectra {
 
-    private Spectra() { }
+    private Spectra() {}
 
     /** Adds a multiple of one to another, as far as the shorter reaches. @param target Modified. @param source Not modified. */
     public static void add(double[] target, double[] source, double factor) {

@@ -53,7 +53,8 @@ final class Analyze implements Callable<Integer> {
             AnalysisPage.write(analysis, folder);
             folder.publish();
             bar.close();
-            answer.print(analysis.summary(), "Wrote " + out.file("report.html") + ", results.json, tracks.csv" + ending + ", tracks.arff" + ending + "\n",
+            answer.print(analysis.summary(),
+                    "Wrote " + out.file("report.html") + ", results.json, tracks.csv" + ending + ", tracks.arff" + ending + "\n",
                     () -> ResultsJson.render(results));
         }
         return 0;

@@ -66,6 +66,7 @@ final class Answer {
 
     /** Words that ask for attention in colour: on a terminal whose user has not set NO_COLOR. */
     static String coloured(String text, boolean colour) {
-        return colour ? MILD.matcher(SEVERE.matcher(text).replaceAll("$1\u001b[1;33m$2\u001b[0m:")).replaceAll("$1\u001b[1;36m$2\u001b[0m:") : text;
+        return colour ? MILD.matcher(SEVERE.matcher(text).replaceAll("$1\u001b[1;33m$2\u001b[0m:")).replaceAll("$1\u001b[1;36m$2\u001b[0m:")
+                : text;
     }
 }

@@ -13,7 +13,7 @@ import wbv.recording.Channel;
 /** Options that mean the same in several commands, each described once. */
 final class CommonOptions {
 
-    private CommonOptions() { }
+    private CommonOptions() {}
 
     /** Where all that is random begins. */
     static final class Seed {
@@ -41,7 +41,8 @@ final class CommonOptions {
     /** Where the sitter is met. */
     static final class Contact {
 
-        @Option(names = "--seat", paramLabel = "PLACE", description = "where the vibration enters the sitter (seat, else platform or floor)")
+        @Option(names = "--seat", paramLabel = "PLACE",
+                description = "where the vibration enters the sitter (seat, else platform or floor)")
         private Optional<String> seat = Optional.empty();
 
         @Spec(Spec.Target.MIXEE)
@@ -71,16 +72,20 @@ final class CommonOptions {
     /** From where to where a body is looked at, and where an estimator starts. */
     static final class Body {
 
-        @Option(names = "--input", paramLabel = "CHANNEL", description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
+        @Option(names = "--input", paramLabel = "CHANNEL",
+                description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
         private Optional<String> input = Optional.empty();
 
-        @Option(names = "--output", paramLabel = "CHANNEL", split = ",", description = "answering channels (all others of the input's quantity and axis)")
+        @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
+                description = "answering channels (all others of the input's quantity and axis)")
         private List<String> outputs = new ArrayList<>();
 
-        @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5", description = "natural frequency to start from (${DEFAULT-VALUE})")
+        @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5",
+                description = "natural frequency to start from (${DEFAULT-VALUE})")
         private double frequency;
 
-        @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4", description = "damping ratio to start from (${DEFAULT-VALUE})")
+        @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4",
+                description = "damping ratio to start from (${DEFAULT-VALUE})")
         private double damping;
 
         @Spec(Spec.Target.MIXEE)
@@ -96,7 +101,8 @@ final class CommonOptions {
         }
 
         double startFrequency() {
-            return Usage.within(spec, "--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY, " Hz");
+            return Usage.within(spec, "--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY,
+                    wbv.filter.model.Spec.MOST_FREQUENCY, " Hz");
         }
 
         double startDamping() {

@@ -44,7 +44,7 @@ final class Convert implements Callable<Integer> {
      * @param done what became of those read
      * @param findings about the recording
      */
-    private record Converted(String wrote, long rows, String done, List<String> findings) { }
+    private record Converted(String wrote, long rows, String done, List<String> findings) {}
 
     @Mixin
     private RecordingOptions recording;
@@ -101,7 +101,8 @@ final class Convert implements Callable<Integer> {
             if (piped) {
                 answer.remark(done);
             } else {
-                answer.print("", "Wrote " + out + ": " + done + "\n", () -> ResultsJson.render(new Converted(out.toString(), rows, done, findings)));
+                answer.print("", "Wrote " + out + ": " + done + "\n",
+                        () -> ResultsJson.render(new Converted(out.toString(), rows, done, findings)));
             }
         }
         return 0;

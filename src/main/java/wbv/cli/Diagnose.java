@@ -70,8 +70,9 @@ final class Diagnose implements Callable<Integer> {
                     + "that it takes)")
     private Optional<String> input = Optional.empty();
 
-    @Option(names = "--with", paramLabel = "RECORDING", description = "another recording of the same subject and sensors, fitted together with the first; "
-            + "levels that differ tell what depends on amplitude")
+    @Option(names = "--with", paramLabel = "RECORDING",
+            description = "another recording of the same subject and sensors, fitted together with the first; "
+                    + "levels that differ tell what depends on amplitude")
     private List<Path> others = new ArrayList<>();
 
     @Option(names = "--prove", paramLabel = "RECORDING",
@@ -124,7 +125,8 @@ final class Diagnose implements Callable<Integer> {
             Rides rides = rides(loaded, measured, notes, bar);
             OptionalDouble known = noise.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
             Diagnosed diagnosed = measured.isEmpty() ? held(loaded, driver, known, folder, notes, bar)
-                    : Diagnoser.examine(new Question(measured.get(), rides.recording(), column, known, recording.map().isPresent()).proved(rides.provedFrom()), bar::at);
+                    : Diagnoser.examine(new Question(measured.get(), rides.recording(), column, known, recording.map().isPresent())
+                            .proved(rides.provedFrom()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
             AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosed.predicted().earlier(rides.moved()), folder.file("prediction.csv"));
@@ -151,8 +153,10 @@ final class Diagnose implements Callable<Integer> {
                 throw wrong("--with " + path + " is named twice");
             }
         }
-        Optional<Map.Entry<String, Recording>> last = proof.isEmpty() ? Optional.empty() : Optional.of(Map.entry("proof " + proof.get(), another(proof.get(), model, bar)));
-        notes.add("fitted to " + String.join(", ", fitted.keySet()) + (proof.isPresent() ? "; proven on " + proof.get() + ", which took no part" : "; proven on the end of the last"));
+        Optional<Map.Entry<String, Recording>> last = proof.isEmpty() ? Optional.empty()
+                : Optional.of(Map.entry("proof " + proof.get(), another(proof.get(), model, bar)));
+        notes.add("fitted to " + String.join(", ", fitted.keySet())
+                + (proof.isPresent() ? "; proven on " + proof.get() + ", which took no part" : "; proven on the end of the last"));
         return Rides.of(fitted, last);
     }
 
@@ -182,16 +186,19 @@ final class Diagnose implements Callable<Integer> {
     }
 
     /** The recording held against a simulation of which only the outputs are given. */
-    private Diagnosed held(Recording loaded, Optional<Channel> driver, OptionalDouble known, OutputFolder folder, List<String> notes, ProgressBar bar)
+    private Diagnosed held(Recording loaded, Optional<Channel> driver, OptionalDouble known, OutputFolder folder, List<String> notes,
+            ProgressBar bar)
             throws IOException {
         Path file = Path.of(simulation.orElseThrow());
         Surrogate.Examined examined;
         if (FmuSimulation.isNamed(file.toString())) {
             try (FmuSimulation unit = variables.open(file, loaded)) {
-                examined = new HeldUnit(unit, file.toString(), loaded, known, recording.map().isPresent()).examined(driver, folder, notes, bar::at);
+                examined = new HeldUnit(unit, file.toString(), loaded, known, recording.map().isPresent()).examined(driver, folder, notes,
+                        bar::at);
             }
         } else {
-            examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), known, recording.map().isPresent(), bar::at);
+            examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), known,
+                    recording.map().isPresent(), bar::at);
         }
         AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
         RecordingWriter.write(folder.file("beside.csv"), examined.surrogate().recording());

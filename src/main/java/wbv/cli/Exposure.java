@@ -116,7 +116,8 @@ final class Exposure implements Callable<Integer> {
         public CommandSpec transform(CommandSpec spec) {
             PositionalParamSpec needed = spec.positionalParameters().get(0);
             spec.remove(needed);
-            return spec.add(PositionalParamSpec.builder().paramLabel(needed.paramLabel()).index("0..*").arity("0..*").description(needed.description())
+            return spec.add(PositionalParamSpec.builder().paramLabel(needed.paramLabel()).index("0..*").arity("0..*")
+                    .description(needed.description())
                     .type(needed.type()).auxiliaryTypes(needed.auxiliaryTypes()).getter(needed.getter()).setter(needed.setter())
                     .hasInitialValue(false).build());
         }
@@ -124,8 +125,10 @@ final class Exposure implements Callable<Integer> {
 
     private int typed() throws IOException {
         List<String> foreign = spec.commandLine().getParseResult().matchedArgs().stream().filter(each -> !(each instanceof OptionSpec option
-                && List.of("--magnitude", "--hours", "--json", "--quiet").contains(option.longestName()))).map(each -> each instanceof OptionSpec option
-                ? option.longestName() : each.paramLabel()).toList();
+                && List.of("--magnitude", "--hours", "--json", "--quiet").contains(option.longestName())))
+                .map(each -> each instanceof OptionSpec option
+                        ? option.longestName() : each.paramLabel())
+                .toList();
         if (!foreign.isEmpty()) {
             throw wrong("--magnitude and --hours stand for a recording, and nothing is written: leave out " + String.join(", ", foreign));
         }
@@ -161,7 +164,8 @@ final class Exposure implements Callable<Integer> {
                 return;
             }
         }
-        throw wrong("--magnitude must be AXIS=M_PER_S2, each of x, y and z once and at most " + MOST + " m/s², as in x=0.3,z=0.7: " + words);
+        throw wrong(
+                "--magnitude must be AXIS=M_PER_S2, each of x, y and z once and at most " + MOST + " m/s², as in x=0.3,z=0.7: " + words);
     }
 
     private List<ExposureRequest.Recorded> recordings() throws IOException {

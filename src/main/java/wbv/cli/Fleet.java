@@ -59,7 +59,8 @@ final class Fleet implements Callable<Integer> {
     @Option(names = "--packet", paramLabel = "SAMPLES", description = "samples that are sent together (those of one second)")
     private Optional<Integer> packet = Optional.empty();
 
-    @Option(names = "--every", paramLabel = "SECONDS", defaultValue = "10", description = "time between results of a seat (${DEFAULT-VALUE})")
+    @Option(names = "--every", paramLabel = "SECONDS", defaultValue = "10",
+            description = "time between results of a seat (${DEFAULT-VALUE})")
     private double every;
 
     @Mixin
@@ -93,7 +94,8 @@ final class Fleet implements Callable<Integer> {
             description = "period of the tables of machines and of the seats worst off, by the sensors' time (${DEFAULT-VALUE})")
     private double table;
 
-    @Option(names = "--results", paramLabel = "PREFIX", description = "what the names of the topics of results begin with (that of the packets)")
+    @Option(names = "--results", paramLabel = "PREFIX",
+            description = "what the names of the topics of results begin with (that of the packets)")
     private Optional<String> results = Optional.empty();
 
     @Option(names = "--ends", description = "end where the topic ends now, instead of following it for ever")
@@ -221,7 +223,8 @@ final class Fleet implements Callable<Integer> {
     /** @param given channels of the packets, all of them */
     private FleetOrder of(double rate, List<Channel> given, FleetSource source) throws IOException {
         SeatPlan plan = plan(rate, given);
-        return new FleetOrder(new SeatOrder(rate, given, follower.method(), sampling.boxcar(), plan.states(), plan.interval()), source, period());
+        return new FleetOrder(new SeatOrder(rate, given, follower.method(), sampling.boxcar(), plan.states(), plan.interval()), source,
+                period());
     }
 
     private double period() {
@@ -261,7 +264,8 @@ final class Fleet implements Callable<Integer> {
         }
         long count = order.replay().write(send.get());
         answer.print("Wrote " + count + " packets to " + send.get() + "; follow them with --channels "
-                + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")) + "\n", new Answer.Written(send.get().toString()));
+                + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")) + "\n",
+                new Answer.Written(send.get().toString()));
         return 0;
     }
 

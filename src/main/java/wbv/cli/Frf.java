@@ -60,19 +60,19 @@ final class Frf implements Callable<Integer> {
             description = "model to draw over the responses: a JSON file, or the name of a published one")
     private Optional<String> model = Optional.empty();
 
-    @Option(names = "--segment", paramLabel = "S", description =
-            "length of a segment in s, taken to the next power of two of samples (what resolves a sitter's resonance)")
+    @Option(names = "--segment", paramLabel = "S",
+            description = "length of a segment in s, taken to the next power of two of samples (what resolves a sitter's resonance)")
     private Optional<Double> segment = Optional.empty();
 
-    @Option(names = "--level", paramLabel = "SHARE", defaultValue = "0.95", description =
-            "confidence of the bands (${DEFAULT-VALUE})")
+    @Option(names = "--level", paramLabel = "SHARE", defaultValue = "0.95", description = "confidence of the bands (${DEFAULT-VALUE})")
     private double level;
 
     @Option(names = "--plate", paramLabel = "KG", defaultValue = "0",
             description = "mass that moves between load cell and sitter, taken off apparent masses (${DEFAULT-VALUE})")
     private double plate;
 
-    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; writes wavelet.csv too")
+    @Option(names = "--wavelet",
+            description = "follow the response of each output through time, by Morlet's wavelet, from one input; writes wavelet.csv too")
     private boolean wavelet;
 
     @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO|PLACE=TAP",
@@ -119,7 +119,8 @@ final class Frf implements Callable<Integer> {
             ResponsePage.write(analysis, folder);
             folder.publish();
             bar.close();
-            answer.print(analysis.summary(), "Wrote " + out.file("report.html") + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n",
+            answer.print(analysis.summary(),
+                    "Wrote " + out.file("report.html") + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n",
                     out.json("frf.json"));
         }
         return 0;

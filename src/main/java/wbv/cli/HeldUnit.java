@@ -37,7 +37,8 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
      *
      * @param driver what the user says drove it; else the vertical acceleration that it takes
      */
-    Surrogate.Examined examined(Optional<Channel> driver, OutputFolder folder, List<String> notes, BiConsumer<String, Double> progress) throws IOException {
+    Surrogate.Examined examined(Optional<Channel> driver, OutputFolder folder, List<String> notes, BiConsumer<String, Double> progress)
+            throws IOException {
         Channel input = driver.orElseGet(this::driver);
         progress.accept("running the simulation", 0.0);
         Recording simulated = unit.run(Map.of());
@@ -54,7 +55,8 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
             AtomicFile.write(folder.file("parameters.json"), json(fitted));
             RecordingWriter.write(folder.file("simulation.csv"), moved);
             Diagnosed found = quiet.get().diagnosed();
-            return new Surrogate.Examined(quiet.get().surrogate(), found.afterFitting(sentence(fitted), heldOut(simulated, found.diagnosis().fit().heldOut())));
+            return new Surrogate.Examined(quiet.get().surrogate(),
+                    found.afterFitting(sentence(fitted), heldOut(simulated, found.diagnosis().fit().heldOut())));
         }
         notes.add("other values of its parameters alone leave " + errors(fitted.after()) + " instead of " + errors(fitted.before())
                 + " of what was recorded, which sensors do not explain; it is held against the recording with its own");
@@ -63,11 +65,13 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
 
     private Channel driver() {
         List<Channel> motions = unit.inputs().stream().filter(each -> each.quantity() == Quantity.ACCELERATION).toList();
-        return motions.stream().filter(each -> each.axis() == 'z').findFirst().or(() -> motions.stream().findFirst()).orElseGet(() -> unit.inputs().get(0));
+        return motions.stream().filter(each -> each.axis() == 'z').findFirst().or(() -> motions.stream().findFirst())
+                .orElseGet(() -> unit.inputs().get(0));
     }
 
     private static String errors(Map<Channel, Double> errors) {
-        return errors.entrySet().stream().map(each -> String.format(Locale.ROOT, "%.1f %% (%s)", 100 * each.getValue(), each.getKey())).collect(Collectors.joining(", "));
+        return errors.entrySet().stream().map(each -> String.format(Locale.ROOT, "%.1f %% (%s)", 100 * each.getValue(), each.getKey()))
+                .collect(Collectors.joining(", "));
     }
 
     private String sentence(FittedValues fitted) {
@@ -76,7 +80,8 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
             moved.add(String.format(Locale.ROOT, "%s %.4g ± %.2g%s instead of %.4g", each, fitted.values().get(each),
                     2 * fitted.std().get(each), unit.unitOf(each).isEmpty() ? "" : " " + unit.unitOf(each), fitted.given().get(each)));
         }
-        return "No physics is missing; values of " + name + " were wrong: " + (moved.isEmpty() ? "no single one for sure, but together" : String.join(", ", moved)) + ".";
+        return "No physics is missing; values of " + name + " were wrong: "
+                + (moved.isEmpty() ? "no single one for sure, but together" : String.join(", ", moved)) + ".";
     }
 
     /** Errors of the simulation as it was, on the data held out. */
@@ -103,8 +108,10 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
 
     /** What was fitted, a parameter a line. */
     private String json(FittedValues fitted) {
-        return fitted.values().keySet().stream().map(each -> String.format(Locale.ROOT, "  \"%s\": {\"given\": %s, \"fitted\": %s, \"std\": %s, \"unit\": \"%s\"}",
-                escaped(each), fitted.given().get(each), fitted.values().get(each), fitted.std().get(each), escaped(unit.unitOf(each))))
+        return fitted.values().keySet().stream()
+                .map(each -> String.format(Locale.ROOT, "  \"%s\": {\"given\": %s, \"fitted\": %s, \"std\": %s, \"unit\": \"%s\"}",
+                        escaped(each), fitted.given().get(each), fitted.values().get(each), fitted.std().get(each),
+                        escaped(unit.unitOf(each))))
                 .collect(Collectors.joining(",\n", "{\n", "\n}\n"));
     }
 

@@ -37,8 +37,7 @@ final class Identify implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "CHANNEL", required = true, description = "answering channel")
     private String output;
 
-    @Option(names = "--poles", paramLabel = "N", split = ",", description =
-            "numbers of poles to choose among, 2 to 20 (2,3,4,5,6,7,8)")
+    @Option(names = "--poles", paramLabel = "N", split = ",", description = "numbers of poles to choose among, 2 to 20 (2,3,4,5,6,7,8)")
     private List<Integer> poles = new ArrayList<>();
 
     @Mixin

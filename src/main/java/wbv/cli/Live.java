@@ -65,7 +65,8 @@ final class Live implements Callable<Integer> {
             description = "take messages of a broker, tcp://host:1883; user and password from WBV_MQTT_USER and WBV_MQTT_PASSWORD")
     private Optional<String> mqtt = Optional.empty();
 
-    @Option(names = "--topic", paramLabel = "FILTER", defaultValue = "wbv/+", description = "of the messages; + says the seat (${DEFAULT-VALUE})")
+    @Option(names = "--topic", paramLabel = "FILTER", defaultValue = "wbv/+",
+            description = "of the messages; + says the seat (${DEFAULT-VALUE})")
     private String topic;
 
     @Option(names = "--page", paramLabel = "PORT", description = "show all of it on a page, http://localhost:PORT/")
@@ -145,7 +146,8 @@ final class Live implements Callable<Integer> {
                 sources.add(new DatagramSource(new InetSocketAddress(at, port("--udp", udp.get()))));
             }
             if (mqtt.isPresent()) {
-                sources.add(new MqttSource(mqtt.get(), topic, MqttSource.clientName(topic), environment("WBV_MQTT_USER"), environment("WBV_MQTT_PASSWORD")));
+                sources.add(new MqttSource(mqtt.get(), topic, MqttSource.clientName(topic), environment("WBV_MQTT_USER"),
+                        environment("WBV_MQTT_PASSWORD")));
             }
             if (name.isPresent()) {
                 sources.add(stream(name.get()));
@@ -264,7 +266,7 @@ final class Live implements Callable<Integer> {
     /** Lines on standard output; where nobody takes them any more, the stream ends. */
     private LiveStream.Lines printed() {
         if (quiet) {
-            return text -> { };
+            return text -> {};
         }
         PrintStream out = System.out;
         StringBuilder waiting = new StringBuilder();

@@ -135,7 +135,8 @@ public final class Main implements Runnable {
 
     private static String together(List<String> names) {
         String first = names.get(0).equals("-") ? "standard input" : names.get(0);
-        return names.size() == 1 ? first : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
+        return names.size() == 1 ? first
+                : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
     }
 
     private static String inWords(FileSystemException fault, ParseResult asked) {

@@ -36,14 +36,15 @@ final class MapColumns implements Callable<Integer> {
     private Answer answer;
 
     /** What there is to say of a file that needs no map. */
-    private record Named(List<String> channels) { }
+    private record Named(List<String> channels) {}
 
     @Override
     public Integer call() throws IOException {
         if (out.isEmpty()) {
             try (RowReader reader = new RecordingFile(file).open()) {
                 List<String> channels = reader.channels().stream().map(Channel::toString).toList();
-                answer.print(file + " needs no map; its channels are " + String.join(", ", channels) + "\n", "", () -> ResultsJson.render(new Named(channels)));
+                answer.print(file + " needs no map; its channels are " + String.join(", ", channels) + "\n", "",
+                        () -> ResultsJson.render(new Named(channels)));
                 return 0;
             } catch (DataFault unknown) {
                 // That is why a map is asked for.

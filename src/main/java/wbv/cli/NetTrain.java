@@ -76,7 +76,8 @@ final class NetTrain implements Callable<Integer> {
             description = "networks from other seeds that are asked together (${DEFAULT-VALUE})")
     private int members;
 
-    @Option(names = "--data-seed", paramLabel = "N", defaultValue = "1", description = "seed of the trials, or of the division of recordings (${DEFAULT-VALUE})")
+    @Option(names = "--data-seed", paramLabel = "N", defaultValue = "1",
+            description = "seed of the trials, or of the division of recordings (${DEFAULT-VALUE})")
     private long dataSeed;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of the training (${DEFAULT-VALUE})")
@@ -137,10 +138,11 @@ final class NetTrain implements Callable<Integer> {
     private void requireOneKind() {
         String wrong = recordings.isEmpty() != labels.isEmpty() ? "recordings and --labels go together"
                 : labels.isPresent() && (bodies.isPresent() || images.isPresent()) ? "--bodies and --images are for simulated trials; "
-                + "recordings have the bodies of their --labels"
-                : labels.isEmpty() && (input.isPresent() || output.isPresent() || hop.isPresent())
-                ? "--input, --output and --hop are for recordings with --labels"
-                : hop.isPresent() && !(hop.get() >= 1 / Imaging.RATE && hop.get() <= 3600) ? "--hop must be 0.0167 to 3600 s: " + hop.get() : "";
+                        + "recordings have the bodies of their --labels"
+                        : labels.isEmpty() && (input.isPresent() || output.isPresent() || hop.isPresent())
+                                ? "--input, --output and --hop are for recordings with --labels"
+                                : hop.isPresent() && !(hop.get() >= 1 / Imaging.RATE && hop.get() <= 3600)
+                                        ? "--hop must be 0.0167 to 3600 s: " + hop.get() : "";
         if (!wrong.isEmpty()) {
             throw new ParameterException(spec.commandLine(), wrong);
         }
@@ -171,7 +173,8 @@ final class NetTrain implements Callable<Integer> {
             long named = recordings.stream().filter(recording -> all.of(recording).list().contains(label)).count();
             if (named != 1) {
                 throw DataFault.at(file.toString(), label.line(), "'" + label.recording() + "' is "
-                        + (named == 0 ? "none of the recordings; name it, or take the line out" : "more than one of the recordings; give more of its path"));
+                        + (named == 0 ? "none of the recordings; name it, or take the line out"
+                                : "more than one of the recordings; give more of its path"));
             }
         }
         LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(),

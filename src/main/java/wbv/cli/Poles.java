@@ -108,7 +108,8 @@ final class Poles implements Callable<Integer> {
             PolesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
-            answer.print(study.summary(), "Wrote " + out.file("report.html") + ", polygons.json, poles.csv, results.json\n", out.json("results.json"));
+            answer.print(study.summary(), "Wrote " + out.file("report.html") + ", polygons.json, poles.csv, results.json\n",
+                    out.json("results.json"));
         }
         return 0;
     }

@@ -17,7 +17,7 @@ import wbv.recording.format.RecordingWriter;
 /** Free runs of a model on a recording's input, as CSV. */
 final class Prediction {
 
-    private Prediction() { }
+    private Prediction() {}
 
     /**
      * What was recorded on the held-out part, the last model there, and that model as its sensors read it: of each sensor three columns, in

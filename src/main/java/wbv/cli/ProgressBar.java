@@ -21,7 +21,7 @@ final class ProgressBar implements AutoCloseable {
     private static final String WIPE = "\r\u001b[K";
 
     /** @param fraction 0 to 1, or NaN where the length is not known */
-    private record Step(String name, double fraction) { }
+    private record Step(String name, double fraction) {}
 
     private final PrintStream out;
     private final long started = System.nanoTime();
@@ -68,7 +68,8 @@ final class ProgressBar implements AutoCloseable {
         } else {
             double share = Math.max(0, Math.min(1, now.fraction()));
             int full = (int) Math.round(WIDTH * share);
-            out.printf(Locale.ROOT, "%s%s [%s%s] %3.0f %%  %d s", WIPE, now.name(), "#".repeat(full), "-".repeat(WIDTH - full), 100 * share, seconds);
+            out.printf(Locale.ROOT, "%s%s [%s%s] %3.0f %%  %d s", WIPE, now.name(), "#".repeat(full), "-".repeat(WIDTH - full), 100 * share,
+                    seconds);
         }
         out.flush();
     }

@@ -56,7 +56,8 @@ final class Prove implements Callable<Integer> {
             description = "folder for cases, keys, answers and tables (default: ${DEFAULT-VALUE})")
     private Path out = Path.of("proof");
 
-    @Option(names = "--calibrate", description = "also write calibration.json: how probable the diagnosis should hold its names, going by these answers")
+    @Option(names = "--calibrate",
+            description = "also write calibration.json: how probable the diagnosis should hold its names, going by these answers")
     private boolean calibrate;
 
     @Option(names = "--open", paramLabel = "CASE",
@@ -97,7 +98,8 @@ final class Prove implements Callable<Integer> {
         if (calibrate) {
             Calibration calibration = tables.calibration(Calibration.standard().chance()).orElseThrow(
                     () -> new DataFault("no answer of these cases names a single mechanism: ask more of them"));
-            AtomicFile.write(out.resolve("calibration.json"), new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(calibration) + "\n");
+            AtomicFile.write(out.resolve("calibration.json"),
+                    new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(calibration) + "\n");
             wrote += "Calibration: " + out.resolve("calibration.json") + "\n";
         }
         answer.print(tables.summary(), wrote, tables::json);

@@ -40,7 +40,8 @@ final class RecordingOptions {
                     + "each are joined; '-' reads standard input to its end")
     private List<String> names = new ArrayList<>();
 
-    @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign file is which channel; 'wbv map' drafts one")
+    @Option(names = "--map", paramLabel = "FILE",
+            description = "JSON that says which column of a foreign file is which channel; 'wbv map' drafts one")
     private Optional<Path> map = Optional.empty();
 
     @Option(names = "--rate", paramLabel = "HZ", description = "sampling rate, where the file does not state it")
@@ -89,7 +90,8 @@ final class RecordingOptions {
 
     private ReadOptions options() throws IOException {
         if (rate.isPresent() && !Clock.isRate(rate.get())) {
-            throw new ParameterException(spec.commandLine(), "--rate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate.get());
+            throw new ParameterException(spec.commandLine(),
+                    "--rate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate.get());
         }
         return new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
@@ -142,7 +144,8 @@ final class RecordingOptions {
             patience.schedule(new TimerTask() {
                 @Override
                 public void run() {
-                    spec.commandLine().getErr().println("standard input: is read to its end before it is answered; 'wbv live -' follows it as it comes");
+                    spec.commandLine().getErr()
+                            .println("standard input: is read to its end before it is answered; 'wbv live -' follows it as it comes");
                 }
             }, PATIENCE);
             try (OutputStream copy = Files.newOutputStream(file)) {

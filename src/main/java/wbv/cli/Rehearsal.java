@@ -8,7 +8,7 @@ import wbv.task.AdmittedClasses;
 /** Goes once through what most commands need, in silence: the launcher's training of an archive of classes. */
 public final class Rehearsal {
 
-    private Rehearsal() { }
+    private Rehearsal() {}
 
     /** @param arguments the folder of the shipped recordings, and one for results */
     public static void main(String[] arguments) {
@@ -21,6 +21,7 @@ public final class Rehearsal {
         Main.run(nowhere, nowhere, "--help");
         Main.run(nowhere, nowhere, "analyze", ride, "--out", out);
         Main.run(nowhere, nowhere, "exposure", ride, "--seat", "platform", "--out", out);
-        Main.run(nowhere, nowhere, "diagnose", concealed.resolve("recording.csv.gz").toString(), "--model", concealed.resolve("model.json").toString(), "--out", out);
+        Main.run(nowhere, nowhere, "diagnose", concealed.resolve("recording.csv.gz").toString(), "--model",
+                concealed.resolve("model.json").toString(), "--out", out);
     }
 }

@@ -66,7 +66,8 @@ final class Simulate implements Callable<Integer> {
             description = "run this model, a JSON file or the name of a published one, on a recording's input instead of the rig")
     private Optional<String> model = Optional.empty();
 
-    @Option(names = "--fmu", paramLabel = "FILE.fmu", description = "run this functional mock-up unit (FMI 2.0 or 3.0) on a recording's channels instead")
+    @Option(names = "--fmu", paramLabel = "FILE.fmu",
+            description = "run this functional mock-up unit (FMI 2.0 or 3.0) on a recording's channels instead")
     private Optional<Path> fmu = Optional.empty();
 
     @Mixin
@@ -127,7 +128,8 @@ final class Simulate implements Callable<Integer> {
             }
         }
         List<List<String>> names = written.stream().map(files -> files.stream().map(Path::toString).toList()).toList();
-        answer.print(notes.toString(), names.stream().map(files -> "Wrote " + String.join(", ", files) + "\n").collect(Collectors.joining()),
+        answer.print(notes.toString(),
+                names.stream().map(files -> "Wrote " + String.join(", ", files) + "\n").collect(Collectors.joining()),
                 () -> ResultsJson.render(new Answer.Written(names.stream().flatMap(List::stream).toList())));
         return 0;
     }
@@ -141,7 +143,7 @@ final class Simulate implements Callable<Integer> {
     }
 
     /** A published model for machines. */
-    private record Published(String name, int bodies, double mass_kg, String source) { }
+    private record Published(String name, int bodies, double mass_kg, String source) {}
 
     private void list() throws IOException {
         List<Published> all = new ArrayList<>();
@@ -156,8 +158,10 @@ final class Simulate implements Callable<Integer> {
     }
 
     private Recording recording() throws IOException {
-        return new RecordingFile(input.orElseThrow(), new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
-                OptionalDouble.empty(), Map.of())).load();
+        return new RecordingFile(input.orElseThrow(),
+                new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
+                        OptionalDouble.empty(), Map.of()))
+                .load();
     }
 
     private ParameterException wrong(String message) {

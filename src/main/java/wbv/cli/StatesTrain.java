@@ -39,8 +39,9 @@ import wbv.study.StatesStudy;
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model"})
 final class StatesTrain implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, and roll and "
-            + "pitch rate of the seat")
+    @Parameters(paramLabel = "RECORDING", arity = "1..*",
+            description = "recordings with vertical acceleration of seat and head, and roll and "
+                    + "pitch rate of the seat")
     private List<Path> files = new ArrayList<>();
 
     @Option(names = "--seat", paramLabel = "PLACE", defaultValue = "seat", description = "the lower place (${DEFAULT-VALUE})")
@@ -53,14 +54,16 @@ final class StatesTrain implements Callable<Integer> {
             description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
     private String mixture;
 
-    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt (${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40",
+            description = "jerk beyond which a place jerks in a jolt (${DEFAULT-VALUE} m/s³)")
     private double jerk;
 
     @Option(names = "--surge", paramLabel = "M/S2", defaultValue = "1.8", description = "change of the seat's mean acceleration from "
             + "0.15 s to the next beyond which a jolt acts (${DEFAULT-VALUE} m/s²)")
     private double surge;
 
-    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks (${DEFAULT-VALUE} rad/s)")
+    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05",
+            description = "rate from which it rocks (${DEFAULT-VALUE} rad/s)")
     private double rocking;
 
     @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests (${DEFAULT-VALUE} m/s³)")
@@ -84,7 +87,7 @@ final class StatesTrain implements Callable<Integer> {
                 .findFirst()
                 .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
                         + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
-                                + ": " + mixture));
+                        + ": " + mixture));
         Usage.place(spec, "--seat", seat);
         Usage.place(spec, "--head", head);
         Thresholds thresholds;
@@ -120,8 +123,11 @@ final class StatesTrain implements Callable<Integer> {
             folder.publish();
             bar.close();
             List<MotionState> few = training.tooFew();
-            answer.print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " samples: " + few + "\n") + study.summary(),
-                    "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n", out.json("results.json"));
+            answer.print(
+                    (few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " samples: " + few + "\n")
+                            + study.summary(),
+                    "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n",
+                    out.json("results.json"));
         }
         return 0;
     }

@@ -39,7 +39,8 @@ import wbv.study.seat.SeatStudy;
         description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers that know the sitter "
                 + "not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes report.html and seat.json. The SEAT "
                 + "value of a recorded ride: wbv exposure.",
-        footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out", "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
+        footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out",
+            "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
             "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100", "  wbv seat --recording shaker.csv --out out"})
 final class SuspensionSeat implements Callable<Integer> {
 
@@ -68,13 +69,14 @@ final class SuspensionSeat implements Callable<Integer> {
     @Mixin
     private CommonOptions.Seed seed;
 
-    @Option(names = "--faults", paramLabel = "N", description = "instead: N rides with lost readings, silent sensors, delays, wrong estimates and changes of "
-            + "sitter; prints what became of them, writes nothing")
+    @Option(names = "--faults", paramLabel = "N",
+            description = "instead: N rides with lost readings, silent sensors, delays, wrong estimates and changes of "
+                    + "sitter; prints what became of them, writes nothing")
     private Optional<Integer> faults = Optional.empty();
 
     @Option(names = "--recording", paramLabel = "FILE",
             description = "instead: resonance, transmissibility there, damping ratio and SEAT of a passive seat on a "
-            + "shaker, from a recording of floor (platform.acc.z) and seat (seat.acc.z)")
+                    + "shaker, from a recording of floor (platform.acc.z) and seat (seat.acc.z)")
     private Optional<Path> recording = Optional.empty();
 
     @Mixin
@@ -138,7 +140,8 @@ final class SuspensionSeat implements Callable<Integer> {
             endured = new Endured(endurance,
                     Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
-                text.append(String.format(Locale.ROOT, "  %-4s %-18s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
+                text.append(String.format(Locale.ROOT, "  %-4s %-18s %5.1f s %7.3f%n", each.floor().word(), each.family().word(),
+                        each.seconds(),
                         each.later()));
             }
         }
@@ -147,7 +150,7 @@ final class SuspensionSeat implements Callable<Integer> {
     }
 
     /** What became of rides under faults, and after changes of the sitter. */
-    record Endured(Endurance faults, List<Recovery> recoveries) { }
+    record Endured(Endurance faults, List<Recovery> recoveries) {}
 
     private Comparison.Request request() {
         if (sitters.isPresent() && mass.isPresent()) {

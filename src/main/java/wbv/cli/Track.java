@@ -147,7 +147,8 @@ final class Track implements Callable<Integer> {
         TrainedPoles trained = PolygonFile.read(polygons.orElseThrow());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             bar.at("predicting", Double.NaN);
-            WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList());
+            WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(),
+                    without.stream().distinct().toList());
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(polygons.get());
             Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
@@ -155,7 +156,8 @@ final class Track implements Callable<Integer> {
             WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
             bar.close();
-            answer.print(run.summary(), "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n", out.json("results.json"));
+            answer.print(run.summary(), "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n",
+                    out.json("results.json"));
         }
         return 0;
     }

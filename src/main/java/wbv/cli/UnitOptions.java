@@ -14,11 +14,13 @@ import wbv.recording.Recording;
 /** Which variable of a functional mock-up unit is which channel, where its names do not say so. */
 final class UnitOptions {
 
-    @Option(names = "--map-input", paramLabel = "VARIABLE=CHANNEL", description = "of an FMU: the recorded channel that an input takes, where its name is not that "
-            + "of a channel (platform.acc.z or platform_acc_z)")
+    @Option(names = "--map-input", paramLabel = "VARIABLE=CHANNEL",
+            description = "of an FMU: the recorded channel that an input takes, where its name is not that "
+                    + "of a channel (platform.acc.z or platform_acc_z)")
     private Map<String, String> inputs = new LinkedHashMap<>();
 
-    @Option(names = "--map-output", paramLabel = "VARIABLE=CHANNEL", description = "of an FMU: the channel that an output or a local variable is")
+    @Option(names = "--map-output", paramLabel = "VARIABLE=CHANNEL",
+            description = "of an FMU: the channel that an output or a local variable is")
     private Map<String, String> outputs = new LinkedHashMap<>();
 
     @Spec(Spec.Target.MIXEE)

@@ -9,7 +9,7 @@ import wbv.recording.Channel;
 /** What the words of a command line may be; anything else is wrong usage. */
 final class Usage {
 
-    private Usage() { }
+    private Usage() {}
 
     static Channel channel(CommandSpec spec, String name) {
         try {
@@ -25,7 +25,8 @@ final class Usage {
 
     static String place(CommandSpec spec, String option, String name) {
         if (!Channel.isLocation(name)) {
-            throw new ParameterException(spec.commandLine(), option + " names a place, such as head, a word of a-z, 0-9 and _: '" + name + "'");
+            throw new ParameterException(spec.commandLine(),
+                    option + " names a place, such as head, a word of a-z, 0-9 and _: '" + name + "'");
         }
         return name;
     }

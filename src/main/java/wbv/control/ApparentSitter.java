@@ -12,8 +12,9 @@ public record ApparentSitter(double rigid, double moving, double frequency, doub
 
     public ApparentSitter {
         if (!(rigid > 0 && moving > 0 && frequency > 0 && damping > 0)) {
-            throw new IllegalArgumentException("masses, natural frequency and damping ratio of a sitter must be > 0: " + rigid + " kg, " + moving + " kg, "
-                    + frequency + " Hz, " + damping);
+            throw new IllegalArgumentException(
+                    "masses, natural frequency and damping ratio of a sitter must be > 0: " + rigid + " kg, " + moving + " kg, "
+                            + frequency + " Hz, " + damping);
         }
     }
 

@@ -111,7 +111,8 @@ public final class DiscreteRiccati {
     /** X, symmetric. The object is the solver's and changes with the next equation. @throws IllegalStateException if it is not {@link #solved()} */
     public DMatrixRMaj solution() {
         if (!solved) {
-            throw new IllegalStateException("the Riccati equation has no stabilising solution, or not yet (after " + doublings + " doublings)");
+            throw new IllegalStateException(
+                    "the Riccati equation has no stabilising solution, or not yet (after " + doublings + " doublings)");
         }
         return h;
     }

@@ -10,7 +10,7 @@ public record FloorBand(double frequency, double damping, double rms) {
     public FloorBand {
         if (!(frequency > 0 && damping > 0 && rms > 0)) {
             throw new IllegalArgumentException("frequency, damping and r.m.s. of a floor must be > 0: " + frequency + " Hz, "
-                     + damping + ", " + rms + " m/s²");
+                    + damping + ", " + rms + " m/s²");
         }
     }
 }

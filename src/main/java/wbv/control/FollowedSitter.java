@@ -66,7 +66,8 @@ public final class FollowedSitter implements SitterSource {
             trunks = 0;
             count = 0;
             if (track.found()) {
-                frequency = factor(track.frequency() / prior.frequency(), track.frequencyDeviation() / track.frequency(), prior.frequencies());
+                frequency = factor(track.frequency() / prior.frequency(), track.frequencyDeviation() / track.frequency(),
+                        prior.frequencies());
                 damping = factor(track.damping() / prior.damping(), track.dampingDeviation() / track.damping(), prior.dampings());
             }
         }

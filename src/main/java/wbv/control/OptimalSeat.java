@@ -110,9 +110,11 @@ public final class OptimalSeat implements SeatController {
     private void keepUp() {
         if (designing) {
             advance();
-        } else if (changed(0, sitter.rigid()) || changed(1, sitter.moving()) || changed(2, sitter.frequency()) || changed(3, sitter.damping())) {
-            begin();
-        }
+        } else
+            if (changed(0, sitter.rigid()) || changed(1, sitter.moving()) || changed(2, sitter.frequency())
+                    || changed(3, sitter.damping())) {
+                        begin();
+                    }
     }
 
     private boolean changed(int i, double now) {

@@ -8,7 +8,8 @@ public final class PassiveSeat implements SeatController {
     /** A damper as it is sold. @param damping [N·s/m], within what the hardware can do */
     public PassiveSeat(SeatHardware hardware, double damping) {
         if (!(damping >= hardware.leastDamping() && damping <= hardware.mostDamping())) {
-            throw new IllegalArgumentException("damping must be " + hardware.leastDamping() + " to " + hardware.mostDamping() + " N·s/m: " + damping);
+            throw new IllegalArgumentException(
+                    "damping must be " + hardware.leastDamping() + " to " + hardware.mostDamping() + " N·s/m: " + damping);
         }
         this.damping = damping;
     }

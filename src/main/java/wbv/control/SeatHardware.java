@@ -19,9 +19,10 @@ public record SeatHardware(double frameMass, double stiffness, double leastDampi
 
     public SeatHardware {
         if (!(frameMass > 0 && stiffness > 0 && leastDamping > 0 && mostForce > 0 && lag > 0 && delay >= 0 && stop > 0)) {
-            throw new IllegalArgumentException("mass, stiffness, damping, force, lag and stop of a seat must be > 0: " + frameMass + " kg, " + stiffness
-                    + " N/m, " + leastDamping + " N·s/m, " + mostForce + " N, " + lag + " s, " + stop
-                    + " m; a delay >= 0: " + delay + " s");
+            throw new IllegalArgumentException(
+                    "mass, stiffness, damping, force, lag and stop of a seat must be > 0: " + frameMass + " kg, " + stiffness
+                            + " N/m, " + leastDamping + " N·s/m, " + mostForce + " N, " + lag + " s, " + stop
+                            + " m; a delay >= 0: " + delay + " s");
         }
         if (!(mostDamping > leastDamping)) {
             throw new IllegalArgumentException("the most damping must be more than the least, " + leastDamping + " N·s/m: " + mostDamping);

@@ -10,7 +10,7 @@ public final class SeatReadings {
     private double trunk = Double.NaN;
 
     /** No reading yet. */
-    public SeatReadings() { }
+    public SeatReadings() {}
 
     /**
      * A new instant.
@@ -20,7 +20,8 @@ public final class SeatReadings {
      * @param springForce of the suspension's spring on the frame, its preload with it [N]
      * @param trunkAcceleration of a sensor that the sitter wears [m/s²]
      */
-    public void set(double floorAcceleration, double frameAcceleration, double frameDeflection, double springForce, double trunkAcceleration) {
+    public void set(double floorAcceleration, double frameAcceleration, double frameDeflection, double springForce,
+            double trunkAcceleration) {
         floor = floorAcceleration;
         frame = frameAcceleration;
         deflection = frameDeflection;

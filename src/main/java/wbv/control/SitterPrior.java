@@ -14,8 +14,9 @@ public record SitterPrior(ApparentSitter middle, double frequency, double dampin
 
     public SitterPrior {
         if (!(frequency > 0 && damping > 0 && masses > 0 && frequencies > 0 && dampings > 0)) {
-            throw new IllegalArgumentException("readings on the middle sitter and deviations of sitters must be > 0: " + frequency + " Hz, " + damping + ", "
-                    + masses + ", " + frequencies + ", " + dampings);
+            throw new IllegalArgumentException(
+                    "readings on the middle sitter and deviations of sitters must be > 0: " + frequency + " Hz, " + damping + ", "
+                            + masses + ", " + frequencies + ", " + dampings);
         }
     }
 

@@ -16,7 +16,7 @@ final class Bands {
     private static final int LEAST_LINES = 12;
     private static final int MOST = 6;
 
-    private Bands() { }
+    private Bands() {}
 
     /** Rising edges over a window's lines [Hz], the window's own ends included. */
     static double[] edges(Evidence evidence, Window window) {

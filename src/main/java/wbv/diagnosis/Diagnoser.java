@@ -106,14 +106,16 @@ public final class Diagnoser {
         Diagnoser diagnoser = asked(question, progress);
         Candidate baseline = Baseline.of(diagnoser.evidence);
         Fitter.State base = diagnoser.search.base(baseline);
-        Optional<Diagnoser> quiet = diagnoser.leaves(base, Refinement.SILENT) ? Optional.of(diagnoser) : diagnoser.knowingWhoSitsStill(baseline, base);
+        Optional<Diagnoser> quiet = diagnoser.leaves(base, Refinement.SILENT) ? Optional.of(diagnoser)
+                : diagnoser.knowingWhoSitsStill(baseline, base);
         return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given(baseline)))
                 .map(knowing -> knowing.conclude(baseline, knowing.search.base(baseline), List.of()))
                 .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
     }
 
     private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom()).with(question.library());
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom())
+                .with(question.library());
         if (!question.unitsKnown()) {
             Admission.units(evidence);
         }
@@ -130,7 +132,8 @@ public final class Diagnoser {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
             // not show it.
-            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
+            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later)
+                    : later;
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
@@ -150,7 +153,8 @@ public final class Diagnoser {
         // A body on the base feels what its link does: the two leave the same.
         Set<Double> elsewhere = alone.stream().filter(place -> !isBody(place)).map(Diagnosis.Latent::reduced).collect(Collectors.toSet());
         boolean near = diagnosed.fits.best() != diagnosed.fits.base();
-        return isUnexplained(diagnosed) && (near || alone.isEmpty() || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
+        return isUnexplained(diagnosed)
+                && (near || alone.isEmpty() || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
     }
 
     private static boolean isBody(Diagnosis.Latent place) {
@@ -181,7 +185,8 @@ public final class Diagnoser {
         // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
         boolean pushed = base.reduced() > Refinement.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
         // Or what was taken for a person's force is a part of what is missing.
-        return Optional.of(pushed ? conclude(baseline, base, List.of()) : asKnown(baseline, base, where)).filter(found -> !isUnexplained(found))
+        return Optional.of(pushed ? conclude(baseline, base, List.of()) : asKnown(baseline, base, where))
+                .filter(found -> !isUnexplained(found))
                 .orElse(knowing.get());
     }
 
@@ -204,7 +209,8 @@ public final class Diagnoser {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             List<Fitter.State> again = knowing.again(quiet, leaders);
-            return knowing.leaves(again.get(0), Refinement.SILENT) ? Optional.of(knowing.conclude(baseline, quiet, again)) : Optional.empty();
+            return knowing.leaves(again.get(0), Refinement.SILENT) ? Optional.of(knowing.conclude(baseline, quiet, again))
+                    : Optional.empty();
         });
     }
 
@@ -246,7 +252,7 @@ public final class Diagnoser {
         double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
         return Verdicts.namesBesidePush(found) && found.base.reduced() - 1 > OWN_SCATTER * (base.reduced() - 1)
                 && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > REMAINS * known).isPresent()
-                ? Optional.of(found) : Optional.empty();
+                        ? Optional.of(found) : Optional.empty();
     }
 
     /** The force that a fit leaves, whatever force is known of already. */
@@ -267,7 +273,8 @@ public final class Diagnoser {
             return Optional.empty();
         }
         return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady())
-                .map(force -> new Diagnoser(evidence.with(force), progress)).filter(knowing -> knowing.leaves(knowing.search.base(baseline), NOISE));
+                .map(force -> new Diagnoser(evidence.with(force), progress))
+                .filter(knowing -> knowing.leaves(knowing.search.base(baseline), NOISE));
     }
 
     /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
@@ -306,10 +313,12 @@ public final class Diagnoser {
         Chosen chosen = Chosen.single(best);
         if (best != base) {
             boolean more = Refinement.explained(base, best) < Refinement.NEARLY_ALL || best.reduced() > Refinement.MUCH;
-            boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
+            boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD
+                    && !isOneLaw(baseline, base, best);
             chosen = much ? new PairSearch(evidence, search, base, progress).best(best, credible) : chosen;
             if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT) {
-                chosen = new SecondMechanism(evidence, search, () -> new PairSearch(evidence, search, base, progress)).of(chosen.fit(), much).orElse(chosen);
+                chosen = new SecondMechanism(evidence, search, () -> new PairSearch(evidence, search, base, progress))
+                        .of(chosen.fit(), much).orElse(chosen);
             }
         }
         progress.accept("proving", 0.9);
@@ -317,8 +326,11 @@ public final class Diagnoser {
         double heldBefore = refinement.heldOut(base);
         Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> places(baseline, base));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
-        boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
-        return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
+        boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS
+                && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
+        return unlisted
+                ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability())
+                : found;
     }
 
     /** The model with the values that its user gave it. */
@@ -343,7 +355,8 @@ public final class Diagnoser {
         }
         double near = 1 + CARRIED * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(MOST_CARRIED).filter(fit -> fit.reduced() < near).count();
-        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
+        List<Fitter.State> out = new ArrayList<>(
+                Parallel.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;

@@ -23,7 +23,7 @@ import wbv.body.law.Learned;
  * @param learned        the law that was learned where no mechanism of the library carries what is missing
  */
 public record Diagnosis(Verdict verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
-                        String nextExperiment, Fit fit, List<Latent> latent, Model model, Optional<LearnedLaw> learned) {
+        String nextExperiment, Fit fit, List<Latent> latent, Model model, Optional<LearnedLaw> learned) {
 
     /** The verdict in a word; its JSON name is in lower case with hyphens. */
     public enum Verdict {
@@ -64,7 +64,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param share part of the whole mismatch, 0 to 1
      * @param times mean square over all noise that reaches this channel: 1 is noise alone
      */
-    public record Located(String channel, double[] band, double[] time, double share, double times) { }
+    public record Located(String channel, double[] band, double[] time, double share, double times) {}
 
     /**
      * A mechanism at a place.
@@ -75,7 +75,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param reduced     mean square of the whitened residual with it
      */
     public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
-                        double reduced) {
+            double reduced) {
 
         /** The same, held at another probability. */
         Named at(double other) {
@@ -100,11 +100,11 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     public record LearnedLaw(String where, String formula, List<Learned> terms, List<Rival> rivals) {
 
         /** Another law. @param probability against all that were fitted @param reduced mean square of the whitened residual with it */
-        public record Rival(String formula, double probability, double reduced) { }
+        public record Rival(String formula, double probability, double reduced) {}
     }
 
     /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */
-    public record Latent(String kind, String where, double reduced) { }
+    public record Latent(String kind, String where, double reduced) {}
 
     /**
      * How well the models fit, on data used (fit) and not used (held out) for it.
@@ -122,7 +122,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      *                    data of the fit; for the mean squares of the whitened residual they are found anew where it is taken
      */
     public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
-                      List<Proof> channels, List<Proof> bands, Map<String, Map<String, Double>> sensors) {
+            List<Proof> channels, List<Proof> bands, Map<String, Map<String, Double>> sensors) {
 
         /** Root mean square of the error held out over that of the channel's whole signal [1], by channel, without what was found. */
         public Map<String, Double> nrmseBefore() {
@@ -155,8 +155,8 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param before  without what was found @param after with it @param floor what noise alone would leave
      * @param removed part of what is above the noise that went; NaN where there was too little to remove
      */
-    public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) { }
+    public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {}
 
     /** A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said. */
-    public record Ranged(double value, double low, double high) { }
+    public record Ranged(double value, double low, double high) {}
 }

@@ -29,10 +29,12 @@ record Estimand(String key, int[] at, double[] weights, boolean amplitude, doubl
         int[] at = IntStream.of(told.of()).map(i -> positions[i]).toArray();
         Knob first = candidate.knobs().get(at[0]);
         if (told.kind() == Told.Kind.PRODUCT) {
-            double reference = told.value().applyAsDouble(IntStream.of(at).mapToDouble(i -> candidate.knobs().get(i).reference()).toArray());
+            double reference = told.value()
+                    .applyAsDouble(IntStream.of(at).mapToDouble(i -> candidate.knobs().get(i).reference()).toArray());
             return new Estimand(told.key(), at, told.weights(), false, reference, 0);
         }
-        return new Estimand(told.key(), at, told.weights(), told.kind() == Told.Kind.AMPLITUDE, at.length == 1 ? first.reference() : 0, first.unit());
+        return new Estimand(told.key(), at, told.weights(), told.kind() == Told.Kind.AMPLITUDE, at.length == 1 ? first.reference() : 0,
+                first.unit());
     }
 
     /** Whether it is a coordinate itself. */

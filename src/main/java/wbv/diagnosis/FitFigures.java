@@ -28,7 +28,8 @@ final class FitFigures {
         Evidence evidence = fits.evidence();
         double rate = evidence.recording().clock().rate();
         Window held = evidence.heldOut();
-        List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(fits.base(), chosen);
+        List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(fits.base(),
+                chosen);
         int outputs = evidence.outputs().size();
         return new Diagnosis.Fit(fits.given().reduced(), fits.base().reduced(), chosen.reduced(), heldBefore, heldAfter,
                 new double[] {held.start() / rate, (held.start() + held.length()) / rate},

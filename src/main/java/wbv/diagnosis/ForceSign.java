@@ -46,7 +46,7 @@ final class ForceSign {
     }
 
     /** A question with forces turned. @param sentence that says which, and why */
-    record Turned(Question question, String sentence) { }
+    record Turned(Question question, String sentence) {}
 
     /** The question with those forces turned that are of the other sign; empty where none is, or nothing tells. */
     static Optional<Turned> in(Question question, Evidence evidence) {
@@ -56,8 +56,10 @@ final class ForceSign {
     private Optional<Turned> turned() {
         Model model = evidence.model();
         Motion motion = new Motion(evidence, model.assembly());
-        List<Channel> draining = new ArrayList<>(model.inputs().stream().filter(input -> drains(input, evidence)).map(Model.Input::sensor).toList());
-        IntStream.range(0, model.links().size()).filter(l -> drains(l, evidence, motion)).mapToObj(l -> model.links().get(l).sensor().orElseThrow())
+        List<Channel> draining = new ArrayList<>(
+                model.inputs().stream().filter(input -> drains(input, evidence)).map(Model.Input::sensor).toList());
+        IntStream.range(0, model.links().size()).filter(l -> drains(l, evidence, motion))
+                .mapToObj(l -> model.links().get(l).sensor().orElseThrow())
                 .forEach(draining::add);
         if (draining.isEmpty()) {
             return Optional.empty();
@@ -78,7 +80,8 @@ final class ForceSign {
     private Optional<Turned> candidate(List<Channel> channels, double asRecorded) {
         Map<Channel, double[]> values = new HashMap<>();
         Recording recording = question.recording();
-        recording.channels().forEach(channel -> values.put(channel, channels.contains(channel) ? negative(recording.values(channel)) : recording.values(channel)));
+        recording.channels().forEach(channel -> values.put(channel,
+                channels.contains(channel) ? negative(recording.values(channel)) : recording.values(channel)));
         Question other = question.with(new Recording(recording.clock(), values, recording.metadata()));
         Evidence turned = new Evidence(other.asked(), other.recording(), other.noise(), other.provedFrom());
         double left = base(turned).reduced();
@@ -99,7 +102,7 @@ final class ForceSign {
     }
 
     private static Fitter.State base(Evidence evidence) {
-        return new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence));
+        return new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
     }
 
     /** Whether a measured force takes energy out of the body that it pushes, by that body's own sensor. */

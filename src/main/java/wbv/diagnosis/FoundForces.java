@@ -32,7 +32,8 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
         Map<String, double[]> newtons = new LinkedHashMap<>();
         for (int i = given; i < laws.size(); i++) {
             double[] force = whole.series(response.forces()[i]);
-            double[] sum = newtons.computeIfAbsent(evidence.model().links().get(laws.get(i).link()).name(), link -> new double[force.length]);
+            double[] sum = newtons.computeIfAbsent(evidence.model().links().get(laws.get(i).link()).name(),
+                    link -> new double[force.length]);
             Arrays.setAll(sum, s -> sum[s] + force[s]);
         }
         double[] time = new double[evidence.recording().length()];

@@ -54,7 +54,7 @@ final class HeldOut {
      * @param own  of the signal in this band @param floor energy of the noise in the whole window
      */
     private record Slice(String channel, double[] band, double[] all, double[] own, double[] before, double[] after,
-            double floor) { }
+            double floor) {}
 
     /** Whole outputs first, then their bands from the lowest. */
     List<Diagnosis.Proof> of(Fitter.State before, Fitter.State after) {

@@ -62,7 +62,8 @@ final class Imitations {
             int at = IntStream.range(0, links).flatMap(link -> base.candidate().stiffness(link).stream()).boxed()
                     .max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
             Knob knob = base.candidate().knobs().get(at);
-            return new Diagnosis.Named(new ParameterError().word(), knob.place(), posterior.of(Claim.VALUES), Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
+            return new Diagnosis.Named(new ParameterError().word(), knob.place(), posterior.of(Claim.VALUES),
+                    Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
         }
     }
 
@@ -76,8 +77,10 @@ final class Imitations {
         List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
         double price = price(all);
         List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
-        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
-        List<Fitter.State> likelier = Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
+        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream()
+                .filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
+        List<Fitter.State> likelier = Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream()
+                .filter(fit -> evidence(fit, fitted) > price).toList();
         return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
     }
 
@@ -91,15 +94,20 @@ final class Imitations {
     private Fitter.State fitted(Fitter.State base, Hypothesis hypothesis) {
         Candidate with = base.candidate().with(hypothesis);
         List<Fitter.State> looks = Trial.sorted(Stream.of(base.x(), base.candidate().start()).flatMap(from -> hypothesis.starts().stream()
-                .map(start -> search.fitter().look(with, base.candidate().extended(from, with, hypothesis, start.values()), base.frame()))).toList());
-        return refinement.polish(Trial.sorted(looks.stream().limit(STARTS).map(look -> search.fitter().fit(with, look.x(), base.frame(), STEPS, 1e-4)).toList()).get(0));
+                .map(start -> search.fitter().look(with, base.candidate().extended(from, with, hypothesis, start.values()), base.frame())))
+                .toList());
+        return refinement.polish(Trial
+                .sorted(looks.stream().limit(STARTS).map(look -> search.fitter().fit(with, look.x(), base.frame(), STEPS, 1e-4)).toList())
+                .get(0));
     }
 
     /** Beside the best of what may be taken for it. @param imitated fits that are likelier than the base */
     private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
         Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
-        Whereabouts where = Whereabouts.anywhere(evidence, base.candidate()).only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
-        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit))).toList();
+        Whereabouts where = Whereabouts.anywhere(evidence, base.candidate())
+                .only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
+        List<Fitter.State> fits = Stream.concat(imitated.stream(),
+                search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit))).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
         // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says

@@ -62,7 +62,8 @@ final class LearnedVerdict {
                     "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on "
                             + "data not used went with it.",
                     where, law.formula(), Phrases.percent(gone(heldBefore))), new Mismatch(evidence, fits.base()).located(), missing,
-                    Stream.concat(refused.missing().stream(), refused.verdict() == Diagnosis.Verdict.MISSING_PHYSICS ? refused.alternatives().stream() : Stream.empty())
+                    Stream.concat(refused.missing().stream(),
+                            refused.verdict() == Diagnosis.Verdict.MISSING_PHYSICS ? refused.alternatives().stream() : Stream.empty())
                             .filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
                             .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
                     law.experiment(), shown.figures(values.fit()), refused.latent(), model,

@@ -35,7 +35,7 @@ final class Learning {
     }
 
     /** A law that was learned among others. */
-    private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) { }
+    private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {}
 
     /**
      * A name that leaves more than the right one may gives way to a likelier law, as does a refusal; or it stands with what it lacks of the
@@ -55,7 +55,9 @@ final class Learning {
         Optional<Learnt> form = last ? form(fits) : first;
         return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
                 .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
-                .or(() -> form.map(beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside)))).orElse(found);
+                .or(() -> form
+                        .map(beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside))))
+                .orElse(found);
     }
 
     private static boolean explainsNearlyAll(Fits fits, Fitter.State fit) {
@@ -73,7 +75,8 @@ final class Learning {
      */
     private Optional<Learnt> law(Fits fits, boolean refused) {
         progress.accept("learning the law", 0.8);
-        LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
+        LawLearner learner = new LawLearner(evidence, search, fits.base(),
+                new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
         Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
@@ -103,6 +106,8 @@ final class Learning {
 
     private List<Diagnosis.LearnedLaw.Rival> rivals(Learnt learnt) {
         return others(learnt).limit(RIVALS)
-                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(learnt, each), each.fit().reduced())).toList();
+                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(learnt, each),
+                        each.fit().reduced()))
+                .toList();
     }
 }

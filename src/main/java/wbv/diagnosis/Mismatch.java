@@ -33,7 +33,8 @@ final class Mismatch {
         for (int o = 0; o < read.length; o++) {
             double[] measured = evidence.measured(o);
             double[] own = read[o];
-            double[] spectrum = window.spectrum(IntStream.range(0, own.length).mapToDouble(i -> measured[i] - own[i]).toArray(), evidence.valid(o));
+            double[] spectrum = window.spectrum(IntStream.range(0, own.length).mapToDouble(i -> measured[i] - own[i]).toArray(),
+                    evidence.valid(o));
             double[] byLine = new double[window.lines()];
             double power = 0;
             for (int line = 0; line < byLine.length; line++) {

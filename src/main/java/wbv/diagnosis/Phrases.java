@@ -8,7 +8,7 @@ import wbv.diagnosis.mechanism.Library;
 /** What a mechanism is, in the words of someone who sits in the seat. */
 final class Phrases {
 
-    private Phrases() { }
+    private Phrases() {}
 
     /** A share in percent, from 99 on with its tenths; what rounds to all is all. */
     static String percent(double share) {

@@ -77,7 +77,8 @@ final class PlainFaults {
      */
     private Optional<Diagnosis.Named> steps(Channel channel, double most, Fitter.State base) {
         int output = evidence.outputs().indexOf(channel);
-        return Rounding.coarse(evidence.recording().values(channel)).filter(steps -> output < 0 || evidence.noise()[output] < most * steps.noise())
+        return Rounding.coarse(evidence.recording().values(channel))
+                .filter(steps -> output < 0 || evidence.noise()[output] < most * steps.noise())
                 .map(steps -> new Diagnosis.Named(new SensorQuantised().word(), channel.toString(), 0.98,
                         Map.of(key(channel), steps.step()), Map.of(), base.reduced()));
     }
@@ -103,7 +104,8 @@ final class PlainFaults {
 
     private static boolean clips(Fitter.State fit, int output) {
         return fit.candidate().added().stream().flatMap(h -> h.additions().stream())
-                .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == output && at.fault() instanceof SensorFault.Clipping);
+                .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == output
+                        && at.fault() instanceof SensorFault.Clipping);
     }
 
     /**
@@ -115,7 +117,8 @@ final class PlainFaults {
         DoubleStream others = IntStream.range(0, evidence.outputs().size())
                 .filter(o -> o != output && alike(own, evidence.outputs().get(o))).mapToDouble(evidence::mean);
         DoubleStream base = evidence.model().base().sensors().stream().filter(sensor -> alike(own, sensor))
-                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent).mapToDouble(OptionalDouble::getAsDouble);
+                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble);
         double[] sorted = DoubleStream.concat(DoubleStream.of(0), DoubleStream.concat(others, base)).sorted().toArray();
         double low = sorted[(sorted.length - 1) / 2];
         double high = sorted[sorted.length / 2];

@@ -17,7 +17,8 @@ record Posterior(Map<Claim, Double> probabilities) {
     Posterior {
         Map<Claim, Double> sorted = new LinkedHashMap<>();
         probabilities.entrySet().stream().sorted(Map.Entry.<Claim, Double>comparingByValue(Comparator.reverseOrder())
-                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name() + entry.getKey().like())).forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
+                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name() + entry.getKey().like()))
+                .forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
         double sum = sorted.values().stream().mapToDouble(Double::doubleValue).sum();
         if (!(Math.abs(sum - 1) < 1e-9)) {
             throw new IllegalArgumentException("probabilities must add up to 1: " + sum);
@@ -26,7 +27,7 @@ record Posterior(Map<Claim, Double> probabilities) {
     }
 
     /** A hypothesis that was weighed. @param prior probability before the data, 0 or more @param evidence log of it */
-    record Weighed(Claim claim, double prior, double evidence) { }
+    record Weighed(Claim claim, double prior, double evidence) {}
 
     /**
      * Of hypotheses, of which several may make the same claim.

@@ -36,7 +36,8 @@ final class Presentation {
         Fitter.State before = scale.applied(fits.base());
         Fitter.State chosen = fit == fits.base() ? before : masses.applied(fit);
         Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(masses.factor()))).orElse(evidence);
-        return new Diagnosed(diagnosis.apply(Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()))), fits.with(fit), seen, before, chosen);
+        return new Diagnosed(diagnosis.apply(Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()))), fits.with(fit), seen,
+                before, chosen);
     }
 
     /** How well a fit does. */

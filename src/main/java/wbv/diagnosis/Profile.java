@@ -50,9 +50,9 @@ final class Profile {
     }
 
     /** What a side of the interval is. @param u infinite where nothing bounds the number */
-    record End(double u, Interval.Source from) { }
+    record End(double u, Interval.Source from) {}
 
-    private record Point(double u, Fitter.State state) { }
+    private record Point(double u, Fitter.State state) {}
 
     /** The end below ({@code side} -1) or above (1). */
     End end(int side) {

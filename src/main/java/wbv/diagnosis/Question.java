@@ -30,7 +30,7 @@ import wbv.recording.Recording;
  * @param library    what may be missing
  */
 public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
-                       OptionalDouble provedFrom, Library library) {
+        OptionalDouble provedFrom, Library library) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {

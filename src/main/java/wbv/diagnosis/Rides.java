@@ -56,17 +56,20 @@ public record Rides(Recording recording, OptionalDouble provedFrom, double moved
         for (Map.Entry<String, Recording> each : all.entrySet()) {
             double own = each.getValue().clock().rate();
             if (Math.abs(own / rate - 1) > ALIKE) {
-                throw DataFault.in(each.getKey(), String.format(Locale.ROOT, "is sampled at %s Hz, %s at %s Hz: they need one rate", text(own),
-                        first.getKey(), text(rate)));
+                throw DataFault.in(each.getKey(),
+                        String.format(Locale.ROOT, "is sampled at %s Hz, %s at %s Hz: they need one rate", text(own),
+                                first.getKey(), text(rate)));
             }
             if (each.getValue().duration() < SHORTEST) {
-                throw DataFault.in(each.getKey(), String.format(Locale.ROOT, "lasts %.3g s; one of several recordings needs at least %.0f s",
-                        each.getValue().duration(), SHORTEST));
+                throw DataFault.in(each.getKey(),
+                        String.format(Locale.ROOT, "lasts %.3g s; one of several recordings needs at least %.0f s",
+                                each.getValue().duration(), SHORTEST));
             }
             channels.retainAll(each.getValue().channels());
         }
         if (channels.isEmpty()) {
-            throw DataFault.in(first.getKey(), "has no channel in common with " + String.join(", ", fitted.keySet().stream().skip(1).toList()));
+            throw DataFault.in(first.getKey(),
+                    "has no channel in common with " + String.join(", ", fitted.keySet().stream().skip(1).toList()));
         }
         int pause = (int) Math.ceil(PAUSE * rate);
         int length = all.values().stream().mapToInt(each -> each.length() + pause).sum() - pause;

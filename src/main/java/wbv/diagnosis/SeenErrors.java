@@ -30,7 +30,8 @@ final class SeenErrors {
      */
     double explained(Fitter.State fit) {
         double[][] read = readings.of(fit);
-        return IntStream.range(0, read.length).mapToDouble(o -> 1 - square(o, read[o]) / square(o, new double[read[o].length])).max().orElseThrow();
+        return IntStream.range(0, read.length).mapToDouble(o -> 1 - square(o, read[o]) / square(o, new double[read[o].length])).max()
+                .orElseThrow();
     }
 
     private double square(int output, double[] read) {

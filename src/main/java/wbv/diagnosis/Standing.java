@@ -76,8 +76,10 @@ final class Standing {
     /** Single mechanisms as names, each once, likeliest first. @param but that is not among them */
     static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
         Set<Claim> seen = new HashSet<>(Set.of(but));
-        return fits.stream().filter(fit -> seen.add(claim(fit))).map(fit -> new Diagnosis.Named(fit.candidate().last().mechanism(), fit.candidate().last().where(),
-                posterior.of(claim(fit)), Map.of(), Map.of(), fit.reduced())).sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
+        return fits.stream().filter(fit -> seen.add(claim(fit)))
+                .map(fit -> new Diagnosis.Named(fit.candidate().last().mechanism(), fit.candidate().last().where(),
+                        posterior.of(claim(fit)), Map.of(), Map.of(), fit.reduced()))
+                .sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
     }
 
     /** What a fit claims: all that it adds, together. */

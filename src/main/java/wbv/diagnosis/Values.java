@@ -72,7 +72,8 @@ final class Values {
         List<Estimand> scaled = Estimand.of(hypothesis, state().candidate());
         List<Interval> found = Parallel.map(IntStream.range(0, plain.size()).boxed().toList(),
                 i -> interval(hypothesis, plain.get(i), scaled.get(i)));
-        boolean about = evidence.model().links().stream().anyMatch(link -> link.name().equals(hypothesis.where()) && evidence.model().about(link));
+        boolean about = evidence.model().links().stream()
+                .anyMatch(link -> link.name().equals(hypothesis.where()) && evidence.model().about(link));
         Map<String, Double> values = new LinkedHashMap<>();
         Map<String, Interval> intervals = new LinkedHashMap<>();
         for (int i = 0; i < scaled.size(); i++) {

@@ -41,19 +41,24 @@ final class VerdictWords {
 
     /** How a sentence ends that names something. @param share of the mismatch that it explains */
     String ending(double share, List<Diagnosis.Named> rivals) {
-        return "; explains " + Phrases.percent(share) + " of the mismatch" + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
-                + " at " + rivals.get(0).where() + ", " + Phrases.percent(Refinement.explained(base, rivals.get(0).reduced())) + ".");
+        return "; explains " + Phrases.percent(share) + " of the mismatch"
+                + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
+                        + " at " + rivals.get(0).where() + ", " + Phrases.percent(Refinement.explained(base, rivals.get(0).reduced()))
+                        + ".");
     }
 
     /** How a sentence ends that names what the model's numbers imitate. @param numbers those that do */
     String imitating(Diagnosis.Named numbers) {
         String key = numbers.parameters().keySet().iterator().next();
-        return String.format(Locale.ROOT, "; with values alone, %s of %s at %.3g, data that were not used are less likely.", key, numbers.where(), numbers.parameters().get(key));
+        return String.format(Locale.ROOT, "; with values alone, %s of %s at %.3g, data that were not used are less likely.", key,
+                numbers.where(), numbers.parameters().get(key));
     }
 
     String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending, boolean untold) {
-        String found = missing.stream().map(named -> Phrases.of(evidence.library(), named)).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
-                + next.substring(1)).orElse("");
+        String found = missing.stream().map(named -> Phrases.of(evidence.library(), named))
+                .reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
+                        + next.substring(1))
+                .orElse("");
         return switch (verdict) {
             case NOTHING_MISSING -> String.format(Locale.ROOT,
                     "Nothing is missing: the model as given leaves %.2f times the noise%s", given.reduced(), ending);
@@ -74,7 +79,8 @@ final class VerdictWords {
      * them.
      */
     private String alike() {
-        double[] off = IntStream.range(0, base.x().length).filter(i -> NUMBERS.contains(base.candidate().knobs().get(i).slot().kind())).mapToDouble(i -> base.x()[i]).toArray();
+        double[] off = IntStream.range(0, base.x().length).filter(i -> NUMBERS.contains(base.candidate().knobs().get(i).slot().kind()))
+                .mapToDouble(i -> base.x()[i]).toArray();
         double mean = Arrays.stream(off).average().orElse(0);
         double usual = SmallError.MOST * SmallError.Kind.GAIN.deviation();
         boolean all = off.length > 1 && Math.abs(mean) > usual && Arrays.stream(off).allMatch(each -> Math.abs(each - mean) < usual);
@@ -113,15 +119,17 @@ final class VerdictWords {
 
     /** Where whatever is missing enters, to end a sentence. @param places best first; none where outputs do not tell */
     String entering(List<Diagnosis.Latent> places) {
-        return places.isEmpty() ? "." : String.format(Locale.ROOT, "; an arbitrary signal at the %s %s would leave %.3g times.", places.get(0).kind(),
-                places.get(0).where(), places.get(0).reduced());
+        return places.isEmpty() ? "."
+                : String.format(Locale.ROOT, "; an arbitrary signal at the %s %s would leave %.3g times.", places.get(0).kind(),
+                        places.get(0).where(), places.get(0).reduced());
     }
 
     /** What the noise holds beside that of sensors, to end a sentence. */
     String counting() {
         if (!evidence.heard().isEmpty()) {
             return " (" + evidence.heard().entrySet().stream().sorted(Map.Entry.comparingByKey(Comparator.comparing(Channel::toString)))
-                    .map(noise -> String.format(Locale.ROOT, "%.2g %s of %s", noise.getValue(), noise.getKey().quantity().unit(), noise.getKey()))
+                    .map(noise -> String.format(Locale.ROOT, "%.2g %s of %s", noise.getValue(), noise.getKey().quantity().unit(),
+                            noise.getKey()))
                     .collect(Collectors.joining(", ")) + " count as noise).";
         }
         return evidence.bodyForce().map(force -> String.format(Locale.ROOT, " (%.2g N rms of the sitter's own force on %s count as noise).",

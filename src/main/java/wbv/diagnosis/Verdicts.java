@@ -88,7 +88,7 @@ final class Verdicts {
      * @param where  places that could carry it, where no name is good enough @param ending of the sentence
      */
     private record Finding(Diagnosis.Verdict verdict, Fitter.State fit, MassScale scale, List<Diagnosis.Named> missing,
-                           List<Diagnosis.Named> rivals, List<Diagnosis.Latent> where, String ending) { }
+            List<Diagnosis.Named> rivals, List<Diagnosis.Latent> where, String ending) {}
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
@@ -102,8 +102,10 @@ final class Verdicts {
         missing.addAll(found.missing());
         Diagnosis.Verdict verdict = plain ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
         return shown.of(found.fit(), found.scale(), model -> new Diagnosis(verdict,
-                words.sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL), new Mismatch(evidence, base).located(), missing,
-                found.rivals(), experiment(verdict, missing, found.rivals(), idle), shown.figures(found.fit()), found.where(), model, Optional.empty()));
+                words.sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL),
+                new Mismatch(evidence, base).located(), missing,
+                found.rivals(), experiment(verdict, missing, found.rivals(), idle), shown.figures(found.fit()), found.where(), model,
+                Optional.empty()));
     }
 
     /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
@@ -142,7 +144,8 @@ final class Verdicts {
         return base.reduced() > Refinement.SILENT ? Optional.empty() : new Imitations(evidence, search).in(base).map(found -> {
             DecisionRule.Reading reading = new DecisionRule(Priors.USUAL).read(found.posterior());
             Values values = new Values(evidence, found.fits().get(0));
-            Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(), found.posterior().of(Standing.claim(found.fits().get(0))));
+            Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(),
+                    found.posterior().of(Standing.claim(found.fits().get(0))));
             // What would be said without it first.
             List<Diagnosis.Named> rivals = new ArrayList<>(List.of(found.asNumbers(base)));
             rivals.addAll(Standing.named(found.fits(), found.posterior(), Standing.claim(found.fits().get(0))));
@@ -155,7 +158,9 @@ final class Verdicts {
     private Optional<Finding> lateSensor() {
         return new OddSensor(evidence, refinement).in(base)
                 // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
-                .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && isQuiet(fit.reduced(), refinement.heldOut(fit)) && foretells(fit)).map(fit -> {
+                .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && isQuiet(fit.reduced(), refinement.heldOut(fit))
+                        && foretells(fit))
+                .map(fit -> {
                     Values values = new Values(evidence, fit);
                     return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(),
                             List.of(values.named(fit.candidate().last(), IMITATED)), List.of(), List.of(), ".");
@@ -192,7 +197,8 @@ final class Verdicts {
      */
     private boolean isQuiet(double fit, double held) {
         double all = evidence.fit().length() + evidence.heldOut().length();
-        return (evidence.fit().length() * fit + evidence.heldOut().length() * held) / all < Refinement.SILENT && Math.max(fit, held) < PLAIN;
+        return (evidence.fit().length() * fit + evidence.heldOut().length() * held) / all < Refinement.SILENT
+                && Math.max(fit, held) < PLAIN;
     }
 
     private Finding cannotTell(String ending) {
@@ -218,7 +224,8 @@ final class Verdicts {
         double p = standing.probability();
         // What fits best at a bound that nothing real has is something else.
         DecisionRule.Reading reading = standing.reading();
-        boolean poor = reading.isUnknown() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
+        boolean poor = reading.isUnknown()
+                || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
         Map<Hypothesis, Diagnosis.Named> claimed = new LinkedHashMap<>();
         double most = poor ? UNSURE : 1;
@@ -228,11 +235,15 @@ final class Verdicts {
             return Optional.empty();
         }
         List<Diagnosis.Named> missing = new ArrayList<>(claimed.values());
-        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
+        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence))
+                .ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
         List<Diagnosis.Latent> places = poor ? locate.get() : List.of();
-        return Optional.of(new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
-                values.fit(), values.scale(), missing, rivals, places, poor ? words.entering(places) : words.ending(standing.explained(), rivals)));
+        return Optional.of(new Finding(
+                poor ? Diagnosis.Verdict.UNEXPLAINED
+                        : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
+                values.fit(), values.scale(), missing, rivals, places,
+                poor ? words.entering(places) : words.ending(standing.explained(), rivals)));
     }
 
     /** Whether a sensor's fault may be none by all that is told of its size: what may be nothing is not named. */
@@ -251,7 +262,8 @@ final class Verdicts {
 
     /** Whether a diagnosis names a push and a mechanism beside it. */
     static boolean namesBesidePush(Diagnosed found) {
-        List<Mechanism> named = found.diagnosis().missing().stream().flatMap(one -> found.evidence.library().of(one.mechanism()).stream()).toList();
+        List<Mechanism> named = found.diagnosis().missing().stream().flatMap(one -> found.evidence.library().of(one.mechanism()).stream())
+                .toList();
         return named.stream().anyMatch(one -> one.family() == Family.FORCE)
                 && named.stream().anyMatch(one -> one.family() != Family.FORCE && !one.showsWithoutFit());
     }

@@ -19,7 +19,8 @@ import wbv.recording.DataFault;
 /** A model as one C file with the interface of a functional mock-up unit. */
 final class CSource {
 
-    private static final List<String> MOTION = List.of("r", "v", "r_before", "memory", "t", "h", "k", "c", "modulation", "late_r", "late_v");
+    private static final List<
+            String> MOTION = List.of("r", "v", "r_before", "memory", "t", "h", "k", "c", "modulation", "late_r", "late_v");
     /** Longest step [s] where a communication step is longer. */
     private static final double STEP = 1.0 / 240;
 
@@ -156,12 +157,14 @@ final class CSource {
         line("\nstatic const double VALUES[PARAMETERS] = {");
         List<String> keys = new ArrayList<>(parameters.keySet());
         for (int i = 0; i < keys.size(); i++) {
-            line("    " + parameters.get(keys.get(i)) + (i + 1 < keys.size() ? "," : "") + "  /* " + i + ": " + Names.plain(keys.get(i)) + " */");
+            line("    " + parameters.get(keys.get(i)) + (i + 1 < keys.size() ? "," : "") + "  /* " + i + ": " + Names.plain(keys.get(i))
+                    + " */");
         }
         line("};");
         line("enum { MASS = 0, STIFFNESS = BODIES, DAMPING = BODIES + LINKS };");
         line("enum { ACCELERATION, VELOCITY, POSITION, FORCE };");
-        table("LOWER", java.util.Arrays.stream(structure.from()).boxed().toList(), "body at the lower end of each link, -1 is the base: " + String.join(", ", names.links()));
+        table("LOWER", java.util.Arrays.stream(structure.from()).boxed().toList(),
+                "body at the lower end of each link, -1 is the base: " + String.join(", ", names.links()));
         table("UPPER", java.util.Arrays.stream(structure.to()).boxed().toList(), "body at its upper end");
         table("LAW_LINK", assembly.laws().stream().map(LawAt::link).toList(), "link of each law");
         List<Integer> carried = new ArrayList<>();
@@ -171,7 +174,8 @@ final class CSource {
         table("CARRIED", carried, "parameter with the force that each law carries at the start, -1 for none");
         table("PLACE", assembly.outputs().stream().map(Assembly.Output::place).toList(), "body or link of each sensor: "
                 + model.outputs().stream().map(Object::toString).collect(Collectors.joining(", ")));
-        table("READING", assembly.outputs().stream().map(output -> output.reading().name().replace("LINK_", "")).toList(), "what is read there");
+        table("READING", assembly.outputs().stream().map(output -> output.reading().name().replace("LINK_", "")).toList(),
+                "what is read there");
         List<Integer> mounts = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             for (int f = 0; f < assembly.outputs().get(o).faults().size(); f++) {
@@ -190,14 +194,16 @@ final class CSource {
     }
 
     private void table(String name, List<?> values, String meaning) {
-        line("static const int " + name + "[] = {" + (values.isEmpty() ? "0" : values.stream().map(Object::toString).collect(Collectors.joining(", ")))
+        line("static const int " + name + "[] = {"
+                + (values.isEmpty() ? "0" : values.stream().map(Object::toString).collect(Collectors.joining(", ")))
                 + "};  /* " + Names.plain(meaning) + " */");
     }
 
     private void law(int i) {
         LawAt at = assembly.laws().get(i);
         LawForm form = LawForm.of(at.law());
-        line("\n/* " + at.law().mechanism() + " in " + Names.plain(names.links().get(at.link())) + ": force [N], and what it remembers. */");
+        line("\n/* " + at.law().mechanism() + " in " + Names.plain(names.links().get(at.link()))
+                + ": force [N], and what it remembers. */");
         line("static double law_" + i + "(const double *p, const Motion *m, double *remembered_out) {");
         constants(i, form);
         Set<String> asked = LawForm.asked(form.steps(), form.constants());
@@ -206,7 +212,8 @@ final class CSource {
         line("    *remembered_out = " + (at.law().hasMemory() ? "remembered" : "0") + ";\n    return force;\n}");
         line("\nstatic double first_memory_" + i + "(const double *p, double force) {");
         Set<String> used = form.start().map(Expression::names).orElse(new TreeSet<>());
-        form.constants().keySet().stream().filter(used::contains).forEach(name -> line("    const double " + name + " = " + p("law_" + i + "." + name) + ";"));
+        form.constants().keySet().stream().filter(used::contains)
+                .forEach(name -> line("    const double " + name + " = " + p("law_" + i + "." + name) + ";"));
         line("    (void) p, (void) force;\n    return " + form.start().map(Language.C::of).orElse("0") + ";\n}");
         line("\nstatic double lateness_" + i + "(const double *p) {");
         line("    (void) p;\n    return " + (at.law().lateness() > 0 ? p("law_" + i + ".delay_s") : "0") + ";\n}");
@@ -237,7 +244,8 @@ final class CSource {
     private String value(Modulator modulator, int law) {
         if (modulator instanceof Modulator.Ride ride) {
             String decay = "exp(-s->h / " + ride.seconds() + ")";
-            return "sqrt(s->square[" + law + "] = " + decay + " * s->square[" + law + "] + (1 - " + decay + ") * " + (structure.held() || model.base().sensor().isEmpty() ? "0" : "u[0] * u[0]") + ")";
+            return "sqrt(s->square[" + law + "] = " + decay + " * s->square[" + law + "] + (1 - " + decay + ") * "
+                    + (structure.held() || model.base().sensor().isEmpty() ? "0" : "u[0] * u[0]") + ")";
         }
         if (modulator instanceof Modulator.OtherLink other) {
             return switch (other.of()) {
@@ -255,7 +263,8 @@ final class CSource {
             };
         }
         if (modulator instanceof Modulator.Level level) {
-            return "fmax(-1, fmin(1, (2 * " + u(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+            return "fmax(-1, fmin(1, (2 * " + u(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / "
+                    + (level.high() - level.low()) + "))";
         }
         return StepInputs.named(modulator) ? u(modulator.toString()) : "1";
     }
@@ -271,9 +280,11 @@ final class CSource {
             String target = (at.drive().actsOnBody() ? "s->body_drive[" : "s->link_drive[") + at.place() + "] ";
             if (at.drive() instanceof Drive.Tone) {
                 String phase = "2 * PI * " + p(own + "frequency_hz") + " * t";
-                line("    " + target + "+= " + p(own + "cosine_N") + " * cos(" + phase + ") + " + p(own + "sine_N") + " * sin(" + phase + ");");
+                line("    " + target + "+= " + p(own + "cosine_N") + " * cos(" + phase + ") + " + p(own + "sine_N") + " * sin(" + phase
+                        + ");");
             } else if (at.drive() instanceof Drive.Launch) {
-                launched.append("    s->x[BODIES + ").append(at.place()).append("] += s->").append(p(own + "velocity_m_per_s")).append(";\n");
+                launched.append("    s->x[BODIES + ").append(at.place()).append("] += s->").append(p(own + "velocity_m_per_s"))
+                        .append(";\n");
             } else if (at.drive() instanceof Drive.Measured measured) {
                 line("    " + target + "+= " + u(measured.channel().toString()) + " - " + p(own + "offset_N") + ";");
             } else if (at.drive() instanceof Drive.Given given) {
@@ -281,9 +292,11 @@ final class CSource {
             } else if (at.drive() instanceof Drive.Across across) {
                 line("    " + target + "+= " + p(own + "coupled_mass_kg") + " * " + u(across.across().toString()) + ";");
             } else if (at.drive() instanceof Drive.CrossAxis cross) {
-                line("    " + target + "+= " + p(own + "cross_stiffness_N_per_m") + " * " + u(StepInputs.lean(cross.upper(), cross.lower())) + ";");
+                line("    " + target + "+= " + p(own + "cross_stiffness_N_per_m") + " * " + u(StepInputs.lean(cross.upper(), cross.lower()))
+                        + ";");
             } else if (at.drive() instanceof Drive.Rotation rotation) {
-                line("    " + target + "-= " + p(own + "lever_arm_m") + " * (p[STIFFNESS + " + at.place() + "] * " + u(StepInputs.angle(rotation.rate()))
+                line("    " + target + "-= " + p(own + "lever_arm_m") + " * (p[STIFFNESS + " + at.place() + "] * "
+                        + u(StepInputs.angle(rotation.rate()))
                         + " + p[DAMPING + " + at.place() + "] * " + u(rotation.rate().toString()) + ");");
             }
         }
@@ -304,14 +317,17 @@ final class CSource {
                 String own = fault(o, f) + ".";
                 SensorFault fault = faults.get(f);
                 if (fault instanceof SensorFault.MountResonance) {
-                    line("    y = mounted(&s->mounts[" + mount++ + "], " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio") + ", y, first);");
+                    line("    y = mounted(&s->mounts[" + mount++ + "], " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio")
+                            + ", y, first);");
                 } else if (fault instanceof SensorFault.StiffeningMount) {
-                    line("    y = stiffened(&s->mounts[" + mount++ + "], s->h, " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio") + ", "
+                    line("    y = stiffened(&s->mounts[" + mount++ + "], s->h, " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio")
+                            + ", "
                             + p(own + "cubic_per_m2") + ", y, first);");
                 } else if (fault instanceof SensorFault.AcCoupling) {
                     line("    y = coupled(&s->couplings[" + coupling++ + "], s->h, " + p(own + "corner_hz") + ", y, first);");
                 } else if (fault instanceof SensorFault.Delay) {
-                    line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], " + p(own + "delay_s") + " / s->h, "
+                    line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], "
+                            + p(own + "delay_s") + " / s->h, "
                             + p(own + "drift_s_per_s") + ") : 0;");
                 } else if (fault instanceof SensorFault.Beside beside) {
                     line("    y += " + u(beside.channel().toString()) + ";");
@@ -322,7 +338,8 @@ final class CSource {
                 } else if (fault instanceof SensorFault.Clipping) {
                     line("    y = fmax(" + p(own + "low") + ", fmin(" + p(own + "high") + ", y));");
                 } else if (fault instanceof SensorFault.Quantised) {
-                    line("    y = " + p(own + "level") + " + " + p(own + "step") + " * rint((y - " + p(own + "level") + ") / " + p(own + "step") + ");");
+                    line("    y = " + p(own + "level") + " + " + p(own + "step") + " * rint((y - " + p(own + "level") + ") / "
+                            + p(own + "step") + ");");
                 } else if (fault instanceof SensorFault.Rectifying) {
                     line("    y = fabs(y);");
                 } else if (fault instanceof SensorFault.LeverArm lever) {
@@ -333,9 +350,11 @@ final class CSource {
                     line("    y = y * sqrt(1 + pow(" + x + ", 2) + pow(" + z + ", 2)) + " + u(tilt.across().toString()) + " * " + x + " + "
                             + u(tilt.beside().toString()) + " * " + z + ";");
                 } else if (fault instanceof SensorFault.Turned turned) {
-                    line("    y = y / cos(" + p(own + "angle_rad") + ") + " + u(turned.across().toString()) + " * tan(" + p(own + "angle_rad") + ");");
+                    line("    y = y / cos(" + p(own + "angle_rad") + ") + " + u(turned.across().toString()) + " * tan("
+                            + p(own + "angle_rad") + ");");
                 } else {
-                    throw new DataFault("an FMU has no form of the fault " + fault.mechanism() + " of the sensor " + model.outputs().get(o) + "; --to python has");
+                    throw new DataFault("an FMU has no form of the fault " + fault.mechanism() + " of the sensor " + model.outputs().get(o)
+                            + "; --to python has");
                 }
             }
             line("    s->y[" + o + "] = y;");

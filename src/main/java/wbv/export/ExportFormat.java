@@ -38,10 +38,12 @@ public enum ExportFormat {
             throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be read");
         }
         if (model.excitations().isEmpty()) {
-            throw new DataFault("the model '" + model.name() + "' has no input: name the channel that measures its base's motion, or a force ('inputs')");
+            throw new DataFault("the model '" + model.name()
+                    + "' has no input: name the channel that measures its base's motion, or a force ('inputs')");
         }
         if (!model.isAlongOneAxis()) {
-            throw new DataFault("the model '" + model.name() + "' moves along several axes or has lever arms, for which no other form is written: run it with wbv simulate");
+            throw new DataFault("the model '" + model.name()
+                    + "' moves along several axes or has lever arms, for which no other form is written: run it with wbv simulate");
         }
         if (this == FMU) {
             FmuFile.Made made = FmuFile.of(model);
@@ -63,8 +65,9 @@ public enum ExportFormat {
                 first.finish();
                 second.finish();
             }
-            return "with " + beside + ", which runs it and adds " + (text.foreign().isEmpty() ? "its input" : "its input and " + text.foreign().size()
-                    + (text.foreign().size() == 1 ? " law" : " laws") + " that MuJoCo has not");
+            return "with " + beside + ", which runs it and adds "
+                    + (text.foreign().isEmpty() ? "its input" : "its input and " + text.foreign().size()
+                            + (text.foreign().size() == 1 ? " law" : " laws") + " that MuJoCo has not");
         }
         AtomicFile.write(out, this == MODELICA ? ModelicaText.of(model) : PythonText.of(model));
         return "";

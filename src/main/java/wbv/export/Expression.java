@@ -10,14 +10,14 @@ import java.util.function.UnaryOperator;
 sealed interface Expression {
 
     /** As written. */
-    record Numeral(String text) implements Expression { }
+    record Numeral(String text) implements Expression {}
 
-    record Name(String text) implements Expression { }
+    record Name(String text) implements Expression {}
 
-    record Negative(Expression of) implements Expression { }
+    record Negative(Expression of) implements Expression {}
 
     /** @param operator one of {@code + - * / < >} */
-    record Binary(char operator, Expression left, Expression right) implements Expression { }
+    record Binary(char operator, Expression left, Expression right) implements Expression {}
 
     /** A function of the {@link Language}s. */
     record Call(String function, List<Expression> arguments) implements Expression {
@@ -26,7 +26,7 @@ sealed interface Expression {
         }
     }
 
-    record Choice(Expression condition, Expression then, Expression otherwise) implements Expression { }
+    record Choice(Expression condition, Expression then, Expression otherwise) implements Expression {}
 
     /** The names that it asks for, in order. */
     default Set<String> names() {
@@ -66,7 +66,8 @@ sealed interface Expression {
         if (this instanceof Call call) {
             return new Call(call.function(), call.arguments().stream().map(each -> each.renamed(other)).toList());
         }
-        return this instanceof Choice choice ? new Choice(choice.condition().renamed(other), choice.then().renamed(other), choice.otherwise().renamed(other)) : this;
+        return this instanceof Choice choice
+                ? new Choice(choice.condition().renamed(other), choice.then().renamed(other), choice.otherwise().renamed(other)) : this;
     }
 
     /** Reads {@code x < 0 ? -k * x : exp(x)}. @throws IllegalArgumentException where it cannot be read */

@@ -23,9 +23,9 @@ final class FmuFile {
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
 
     /** @param bytes of the archive @param remark whether it has a binary */
-    record Made(byte[] bytes, String remark) { }
+    record Made(byte[] bytes, String remark) {}
 
-    private FmuFile() { }
+    private FmuFile() {}
 
     static Made of(Model model) throws IOException {
         CSource source = new CSource(model);
@@ -69,7 +69,8 @@ final class FmuFile {
 
     private static String platform() {
         String arch = System.getProperty("os.arch");
-        return (arch.equals("amd64") ? "x86_64" : arch) + "-" + (system().contains("win") ? "windows" : system().contains("mac") ? "darwin" : "linux");
+        return (arch.equals("amd64") ? "x86_64" : arch) + "-"
+                + (system().contains("win") ? "windows" : system().contains("mac") ? "darwin" : "linux");
     }
 
     private static String ending() {
@@ -109,9 +110,12 @@ final class FmuFile {
 
     private static String description(Model model, CSource source, String identifier, String token) {
         StringBuilder out = new StringBuilder();
-        out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"3.0\" modelName=\"").append(escaped(model.name()))
-                .append("\" instantiationToken=\"").append(token).append("\" variableNamingConvention=\"flat\" generationTool=\"wbv\" description=\"")
-                .append(escaped("An input set before a step is that at the step's end; between steps it runs straight. " + model.source().orElse("")))
+        out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"3.0\" modelName=\"")
+                .append(escaped(model.name()))
+                .append("\" instantiationToken=\"").append(token)
+                .append("\" variableNamingConvention=\"flat\" generationTool=\"wbv\" description=\"")
+                .append(escaped("An input set before a step is that at the step's end; between steps it runs straight. "
+                        + model.source().orElse("")))
                 .append("\">\n  <CoSimulation modelIdentifier=\"").append(identifier)
                 .append("\" canHandleVariableCommunicationStepSize=\"true\" canBeInstantiatedOnlyOncePerProcess=\"false\"/>\n")
                 .append("  <DefaultExperiment startTime=\"0\" stepSize=\"").append(1.0 / 240).append("\"/>\n  <ModelVariables>\n")
@@ -144,8 +148,10 @@ final class FmuFile {
         return out.append("  </ModelStructure>\n</fmiModelDescription>\n").toString();
     }
 
-    private static void variable(StringBuilder out, String name, int reference, String causality, String variability, Optional<Double> start, String description) {
-        out.append("    <Float64 name=\"").append(escaped(name)).append("\" valueReference=\"").append(reference).append("\" causality=\"").append(causality)
+    private static void variable(StringBuilder out, String name, int reference, String causality, String variability,
+            Optional<Double> start, String description) {
+        out.append("    <Float64 name=\"").append(escaped(name)).append("\" valueReference=\"").append(reference).append("\" causality=\"")
+                .append(causality)
                 .append("\" variability=\"").append(variability).append('"');
         start.ifPresent(value -> out.append(" start=\"").append(value).append('"'));
         out.append(description.isEmpty() ? "" : " description=\"" + escaped(description) + "\"").append("/>\n");

@@ -15,7 +15,8 @@ enum Language {
             Map.entry("pow", "pow(%s, %s)"), Map.entry("sin", "sin(%s)"), Map.entry("cos", "cos(%s)"), Map.entry("tanh", "tanh(%s)"),
             Map.entry("pi", "PI"))),
     MODELICA(Map.ofEntries(Map.entry("abs", "abs(%s)"), Map.entry("min", "min(%s, %s)"), Map.entry("max", "max(%s, %s)"),
-            Map.entry("exp", "exp(%s)"), Map.entry("expm1", "(exp(%s) - 1)"), Map.entry("log1p", "log(1 + %s)"), Map.entry("sqrt", "sqrt(%s)"),
+            Map.entry("exp", "exp(%s)"), Map.entry("expm1", "(exp(%s) - 1)"), Map.entry("log1p", "log(1 + %s)"),
+            Map.entry("sqrt", "sqrt(%s)"),
             Map.entry("pow", "(%s) ^ (%s)"), Map.entry("sin", "sin(%s)"), Map.entry("cos", "cos(%s)"), Map.entry("tanh", "tanh(%s)"),
             Map.entry("pi", "3.141592653589793")));
 

@@ -36,7 +36,7 @@ import wbv.body.number.Shape;
 record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow, Optional<Expression> start) {
 
     /** @param name of what it works out */
-    record Line(String name, Expression value) { }
+    record Line(String name, Expression value) {}
 
     /** Of an x without a sign yet: deflection, speed. */
     private static final String[] SMALL = {"1e-5", "1e-3"};
@@ -50,7 +50,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
         Map<String, Double> constants = constants((Record) law);
         List<Line> steps = lines(steps(law));
         String flow = flow(law);
-        return new LawForm(constants, steps, flow.isEmpty() ? steps : lines(flow), law.hasMemory() ? Optional.of(Expression.parse(start(law))) : Optional.empty());
+        return new LawForm(constants, steps, flow.isEmpty() ? steps : lines(flow),
+                law.hasMemory() ? Optional.of(Expression.parse(start(law))) : Optional.empty());
     }
 
     /** The numbers of a record by their names in {@code model.json}, in its order. */
@@ -77,7 +78,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
         Set<String> out = new TreeSet<>();
         Set<String> known = new TreeSet<>(constants.keySet());
         for (Line line : lines) {
-            out.addAll(line.value().names().stream().filter(name -> !known.contains(name) && !name.equals("pi")).collect(Collectors.toSet()));
+            out.addAll(
+                    line.value().names().stream().filter(name -> !known.contains(name) && !name.equals("pi")).collect(Collectors.toSet()));
             known.add(line.name());
         }
         return out;
@@ -114,7 +116,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             return "force = coefficient_N * limit * tanh(modulation / limit) * (" + text(limited.shape(), "r", "v") + ")";
         }
         if (law instanceof LearnedKnee knee) {
-            return "x = " + text(knee.of(), "r", "v") + "\nforce = coefficient_N * modulation * (" + beyond("x", "knee", "x - knee", "x + knee", knee.side()) + ")";
+            return "x = " + text(knee.of(), "r", "v") + "\nforce = coefficient_N * modulation * ("
+                    + beyond("x", "knee", "x - knee", "x + knee", knee.side()) + ")";
         }
         if (law instanceof LearnedMemory memory) {
             return """
@@ -133,7 +136,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             } + "\nforce = coefficient_N * share * (" + text(course.shape(), "r", "v") + ")";
         }
         if (law instanceof LearnedWave wave) {
-            return "phase = 2 * pi * frequency_hz * t\nforce = (cosine_N * cos(phase) + sine_N * sin(phase)) * (" + text(wave.shape(), "r", "v") + ")";
+            return "phase = 2 * pi * frequency_hz * t\nforce = (cosine_N * cos(phase) + sine_N * sin(phase)) * ("
+                    + text(wave.shape(), "r", "v") + ")";
         }
         if (law instanceof LearnedTable table) {
             return table(table);
@@ -280,8 +284,9 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
     private static String start(Law law) {
         return switch (law.getClass().getSimpleName()) {
             case "BristleFriction" -> "max(-breakaway_N, min(breakaway_N, force)) / bristle_N_per_m";
-            case "EngagingFriction" -> "(force < 0 ? -1 : 1) * engagement_m * log1p(min(1, abs(force) / max(force > 0 ? extension_friction_N : "
-                    + "compression_friction_N, 1e-9)) * expm1(growth)) / growth";
+            case "EngagingFriction" ->
+                "(force < 0 ? -1 : 1) * engagement_m * log1p(min(1, abs(force) / max(force > 0 ? extension_friction_N : "
+                        + "compression_friction_N, 1e-9)) * expm1(growth)) / growth";
             default -> "0.0";
         };
     }
@@ -301,7 +306,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
         for (int i = 0; i < 6; i++) {
             int below = i - 3;
             String share = below == 0 ? "x" : below < 0 ? "(x + " + -below + ")" : "(x - " + below + ")";
-            out.append(i < 5 ? "x < " + (below + 1) + " ? " : "").append(at[i]).append(" * (1 - ").append(share).append(") + ").append(at[i + 1])
+            out.append(i < 5 ? "x < " + (below + 1) + " ? " : "").append(at[i]).append(" * (1 - ").append(share).append(") + ")
+                    .append(at[i + 1])
                     .append(" * ").append(share).append(i < 5 ? " : (" : "");
         }
         return out.append("))))))").toString();

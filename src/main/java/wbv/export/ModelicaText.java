@@ -54,7 +54,8 @@ final class ModelicaText {
         IntStream.range(0, text.assembly.laws().size()).forEach(text::law);
         text.forces();
         text.sensors();
-        return "model " + name + " \"" + Names.plain(model.name()) + ": a lumped model of vibration along " + model.axis() + "\"\n" + text.declared + "equation\n"
+        return "model " + name + " \"" + Names.plain(model.name()) + ": a lumped model of vibration along " + model.axis() + "\"\n"
+                + text.declared + "equation\n"
                 + text.equations + "end " + name + ";\n";
     }
 
@@ -116,8 +117,10 @@ final class ModelicaText {
         String own = "law" + i + "_";
         String link = links.get(at.link());
         boolean remembers = form.flow().stream().anyMatch(line -> line.name().equals("rate"));
-        form.constants().forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", name.equals(form.constants().keySet().iterator().next())
-                ? law.mechanism() + " in " + names.links().get(at.link()) : ""));
+        form.constants()
+                .forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "",
+                        name.equals(form.constants().keySet().iterator().next())
+                                ? law.mechanism() + " in " + names.links().get(at.link()) : ""));
         if (remembers) {
             declare("parameter Real " + own + "memory_at_start = 0", "", "where it carries a force at rest");
             declare("Real " + own + "memory(start = " + own + "memory_at_start, fixed = true)", "", "what the law remembers");
@@ -149,7 +152,9 @@ final class ModelicaText {
     private String value(Modulator modulator, String own) {
         if (modulator instanceof Modulator.Ride ride) {
             declare("Real " + own + "square(start = 0, fixed = true)", "", "how hard the base was shaken of late, squared");
-            equation("der(" + own + "square) = (" + (structure.held() || model.base().sensor().isEmpty() ? "0" : inputs.get(signals.names().get(0)) + " ^ 2") + " - " + own + "square) / " + ride.seconds());
+            equation("der(" + own + "square) = ("
+                    + (structure.held() || model.base().sensor().isEmpty() ? "0" : inputs.get(signals.names().get(0)) + " ^ 2") + " - "
+                    + own + "square) / " + ride.seconds());
             return "sqrt(max(0, " + own + "square))";
         }
         if (modulator instanceof Modulator.OtherLink other) {
@@ -169,7 +174,8 @@ final class ModelicaText {
             };
         }
         if (modulator instanceof Modulator.Level level) {
-            return "max(-1, min(1, (2 * " + inputs.get(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+            return "max(-1, min(1, (2 * " + inputs.get(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / "
+                    + (level.high() - level.low()) + "))";
         }
         return StepInputs.named(modulator) ? inputs.get(modulator.toString()) : "1";
     }
@@ -183,12 +189,14 @@ final class ModelicaText {
             Assembly.DriveAt at = assembly.drives().get(d);
             String own = "drive" + d + "_";
             if (!(at.drive() instanceof Drive.Launch)) {
-                LawForm.constants((Record) at.drive()).forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", at.drive().mechanism()));
+                LawForm.constants((Record) at.drive())
+                        .forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", at.drive().mechanism()));
                 (at.drive().actsOnBody() ? onBody : inLink).get(at.place()).append(" + ").append(drive(at, own));
             }
         }
         for (int l = 0; l < links.size(); l++) {
-            StringBuilder load = new StringBuilder("load_" + links.get(l) + " = k_" + links.get(l) + " * r_" + links.get(l) + " + c_" + links.get(l) + " * s_" + links.get(l));
+            StringBuilder load = new StringBuilder("load_" + links.get(l) + " = k_" + links.get(l) + " * r_" + links.get(l) + " + c_"
+                    + links.get(l) + " * s_" + links.get(l));
             for (int i = 0; i < assembly.laws().size(); i++) {
                 load.append(assembly.laws().get(i).link() == l ? " + law" + i + "_force" : "");
             }
@@ -199,10 +207,12 @@ final class ModelicaText {
             declare("Real a_" + bodies.get(b), "m/s2", "acceleration of " + names.bodies().get(b));
             StringBuilder sum = new StringBuilder("m_" + bodies.get(b) + " * a_" + bodies.get(b) + " = 0");
             for (int l = 0; l < links.size(); l++) {
-                sum.append(structure.to()[l] == b ? " - force_" + links.get(l) : structure.from()[l] == b ? " + force_" + links.get(l) : "");
+                sum.append(
+                        structure.to()[l] == b ? " - force_" + links.get(l) : structure.from()[l] == b ? " + force_" + links.get(l) : "");
             }
             equation(sum.append(onBody.get(b)).toString());
-            equation("der(v_" + bodies.get(b) + ") = a_" + bodies.get(b) + (model.base().sensor().isPresent() ? " - " + inputs.get(signals.names().get(0)) : ""));
+            equation("der(v_" + bodies.get(b) + ") = a_" + bodies.get(b)
+                    + (model.base().sensor().isPresent() ? " - " + inputs.get(signals.names().get(0)) : ""));
         }
     }
 
@@ -250,7 +260,8 @@ final class ModelicaText {
     }
 
     private String fault(SensorFault fault, String reading, String own) {
-        LawForm.constants((Record) fault).forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", fault.mechanism()));
+        LawForm.constants((Record) fault)
+                .forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", fault.mechanism()));
         declare("Real " + own + "reading", "", "what the sensor should read");
         equation(own + "reading = " + reading);
         String y = own + "reading";
@@ -259,7 +270,8 @@ final class ModelicaText {
             declare("Real " + own + "y(start = 0, fixed = true)", "", "its derivative");
             declare("parameter Real " + own + "w = 2 * 3.141592653589793 * " + own + "frequency_hz", "rad/s", "");
             equation("der(" + own + "x) = " + own + "y");
-            equation("der(" + own + "y) = " + y + " - " + own + "w ^ 2 * " + own + "x - 2 * " + own + "damping_ratio * " + own + "w * " + own + "y");
+            equation("der(" + own + "y) = " + y + " - " + own + "w ^ 2 * " + own + "x - 2 * " + own + "damping_ratio * " + own + "w * "
+                    + own + "y");
             return own + "w ^ 2 * " + own + "x + 2 * " + own + "damping_ratio * " + own + "w * " + own + "y";
         }
         if (fault instanceof SensorFault.StiffeningMount) {
@@ -267,7 +279,8 @@ final class ModelicaText {
             declare("Real " + own + "y(start = 0, fixed = true)", "m/s", "its speed");
             declare("Real " + own + "bend", "m/s2", "what the mount passes on");
             declare("parameter Real " + own + "w = 2 * 3.141592653589793 * " + own + "frequency_hz", "rad/s", "");
-            equation(own + "bend = 0 - 2 * " + own + "damping_ratio * " + own + "w * " + own + "y - " + own + "w ^ 2 * " + own + "x * (1 + " + own + "cubic_per_m2 * "
+            equation(own + "bend = 0 - 2 * " + own + "damping_ratio * " + own + "w * " + own + "y - " + own + "w ^ 2 * " + own + "x * (1 + "
+                    + own + "cubic_per_m2 * "
                     + own + "x ^ 2)");
             equation("der(" + own + "x) = " + own + "y");
             equation("der(" + own + "y) = " + own + "bend - " + y);
@@ -279,8 +292,9 @@ final class ModelicaText {
             return y + " - " + own + "x";
         }
         if (fault instanceof SensorFault.Delay delay) {
-            return delay.drift() == 0 ? "delay(" + y + ", " + own + "delay_s)" : "delay(" + y + ", " + own + "delay_s + " + own + "drift_s_per_s * time, " + own
-                    + "delay_s + 36000 * " + own + "drift_s_per_s)";
+            return delay.drift() == 0 ? "delay(" + y + ", " + own + "delay_s)"
+                    : "delay(" + y + ", " + own + "delay_s + " + own + "drift_s_per_s * time, " + own
+                            + "delay_s + 36000 * " + own + "drift_s_per_s)";
         }
         if (fault instanceof SensorFault.Gain) {
             return own + "factor * " + y;
@@ -298,7 +312,8 @@ final class ModelicaText {
             return y + " + " + own + "lever_arm_m * " + inputs.get(StepInputs.angularAcceleration(lever.rate()));
         }
         if (fault instanceof SensorFault.Misalignment tilt) {
-            return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + " + inputs.get(tilt.across().toString()) + " * tan("
+            return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + "
+                    + inputs.get(tilt.across().toString()) + " * tan("
                     + own + "towards_x_rad) + " + inputs.get(tilt.beside().toString()) + " * tan(" + own + "towards_y_rad)";
         }
         if (fault instanceof SensorFault.Turned turned) {

@@ -29,7 +29,8 @@ final class MujocoText {
         this.assembly = model.assembly();
         this.names = Names.of(model);
         if (assembly.structure().held()) {
-            throw new DataFault("'" + model.name() + "' has driven links only: there is no body that MuJoCo could move; --to python, fmu and modelica can");
+            throw new DataFault("'" + model.name()
+                    + "' has driven links only: there is no body that MuJoCo could move; --to python, fmu and modelica can");
         }
         for (LawAt at : foreign()) {
             if (at.law() instanceof LearnedInertance inertance) {
@@ -48,17 +49,21 @@ final class MujocoText {
 
     /** Whether MuJoCo has the law; where the force of its link is read, in Python, it stands there too. */
     private boolean own(LawAt at) {
-        boolean read = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE && output.place() == at.link())
-                || assembly.laws().stream().anyMatch(other -> other.law().modulator().otherLink().filter(of -> of.link() == at.link()).isPresent());
+        boolean read = assembly.outputs().stream()
+                .anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE && output.place() == at.link())
+                || assembly.laws().stream()
+                        .anyMatch(other -> other.law().modulator().otherLink().filter(of -> of.link() == at.link()).isPresent());
         long play = assembly.laws().stream().filter(other -> other.link() == at.link() && other.law() instanceof Backlash).count();
-        return !read && (at.law() instanceof Backlash && play == 1 || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0
-                && assembly.structure().from()[at.link()] < 0);   // a tendon's armature does not couple bodies side by side
+        return !read && (at.law() instanceof Backlash && play == 1
+                || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0
+                        && assembly.structure().from()[at.link()] < 0);   // a tendon's armature does not couple bodies side by side
     }
 
     String xml() {
         Structure structure = assembly.structure();
         StringBuilder out = new StringBuilder("<mujoco model=\"" + text(model.name()) + "\">\n");
-        out.append("  <!-- Displacements against the base '").append(text(model.base().name())).append("', whose acceleration is gravity turned round. -->\n");
+        out.append("  <!-- Displacements against the base '").append(text(model.base().name()))
+                .append("', whose acceleration is gravity turned round. -->\n");
         out.append("  <option timestep=\"").append(STEP).append("\" gravity=\"0 0 0\" integrator=\"RK4\"/>\n  <worldbody>\n");
         String axis = switch (model.axis()) {
             case 'x' -> "1 0 0";
@@ -67,8 +72,10 @@ final class MujocoText {
         };
         for (int b = 0; b < structure.bodies(); b++) {
             String name = text(names.bodies().get(b));
-            out.append("    <body name=\"").append(name).append("\">\n      <joint name=\"").append(name).append("\" type=\"slide\" axis=\"").append(axis)
-                    .append("\"/>\n      <inertial pos=\"0 0 0\" mass=\"").append(structure.mass()[b]).append("\" diaginertia=\"1 1 1\"/>\n      <site name=\"")
+            out.append("    <body name=\"").append(name).append("\">\n      <joint name=\"").append(name)
+                    .append("\" type=\"slide\" axis=\"").append(axis)
+                    .append("\"/>\n      <inertial pos=\"0 0 0\" mass=\"").append(structure.mass()[b])
+                    .append("\" diaginertia=\"1 1 1\"/>\n      <site name=\"")
                     .append(name).append("\"/>\n    </body>\n");
         }
         out.append("  </worldbody>\n  <tendon>\n");
@@ -80,9 +87,12 @@ final class MujocoText {
             Assembly.Output output = assembly.outputs().get(o);
             String name = "name=\"" + model.outputs().get(o) + "\"";
             switch (output.reading()) {
-                case ACCELERATION -> out.append("    <accelerometer ").append(name).append(" site=\"").append(text(names.bodies().get(output.place()))).append("\"/>\n");
-                case VELOCITY -> out.append("    <jointvel ").append(name).append(" joint=\"").append(text(names.bodies().get(output.place()))).append("\"/>\n");
-                case POSITION -> out.append("    <jointpos ").append(name).append(" joint=\"").append(text(names.bodies().get(output.place()))).append("\"/>\n");
+                case ACCELERATION -> out.append("    <accelerometer ").append(name).append(" site=\"")
+                        .append(text(names.bodies().get(output.place()))).append("\"/>\n");
+                case VELOCITY -> out.append("    <jointvel ").append(name).append(" joint=\"")
+                        .append(text(names.bodies().get(output.place()))).append("\"/>\n");
+                case POSITION -> out.append("    <jointpos ").append(name).append(" joint=\"")
+                        .append(text(names.bodies().get(output.place()))).append("\"/>\n");
                 case LINK_FORCE -> out.append("    <!-- ").append(model.outputs().get(o)).append(": see the Python file -->\n");
                 default -> throw new IllegalStateException("no reading " + output.reading());
             }
@@ -99,8 +109,10 @@ final class MujocoText {
                 armature += at.law() instanceof LearnedInertance inertance ? inertance.inertance() : 0;
             }
         }
-        out.append("    <fixed name=\"").append(text(names.links().get(l))).append(' ').append(l).append("\" stiffness=\"").append(structure.stiffness()[l])
-                .append("\" damping=\"").append(structure.damping()[l]).append("\" springlength=\"").append(-gap).append(' ').append(gap).append('"');
+        out.append("    <fixed name=\"").append(text(names.links().get(l))).append(' ').append(l).append("\" stiffness=\"")
+                .append(structure.stiffness()[l])
+                .append("\" damping=\"").append(structure.damping()[l]).append("\" springlength=\"").append(-gap).append(' ').append(gap)
+                .append('"');
         out.append(armature > 0 ? " armature=\"" + armature + "\"" : "").append(">\n");
         end(structure.to()[l], 1, out);
         if (structure.from()[l] >= 0) {
@@ -110,7 +122,8 @@ final class MujocoText {
     }
 
     private void end(int body, int coefficient, StringBuilder out) {
-        out.append("      <joint joint=\"").append(text(names.bodies().get(body))).append("\" coef=\"").append(coefficient).append("\"/>\n");
+        out.append("      <joint joint=\"").append(text(names.bodies().get(body))).append("\" coef=\"").append(coefficient)
+                .append("\"/>\n");
     }
 
     private static String text(String name) {

@@ -17,7 +17,7 @@ final class Parts {
     private static final Pattern NAMED = Pattern.compile("(?m)^(?:def|class) (\\w+)");
     private static final Pattern WORD = Pattern.compile("\\w+");
 
-    private Parts() { }
+    private Parts() {}
 
     /** A whole file. */
     static String text(String name) {

@@ -19,7 +19,8 @@ import wbv.body.number.Modulator;
 /** A model as a Python file that needs NumPy alone and does what {@code wbv simulate} does. */
 final class PythonText {
 
-    private static final List<String> MOTION = List.of("r", "v", "r_before", "memory", "t", "h", "k", "c", "modulation", "late_r", "late_v");
+    private static final List<
+            String> MOTION = List.of("r", "v", "r_before", "memory", "t", "h", "k", "c", "modulation", "late_r", "late_v");
 
     private final Model model;
     private final Assembly assembly;
@@ -41,7 +42,8 @@ final class PythonText {
         Assembly assembly = model.assembly();
         boolean linear = !assembly.structure().held() && assembly.laws().stream().allMatch(at -> at.law().isLinear());
         PythonText text = new PythonText(model, linear ? List.of() : assembly.laws());
-        text.head("a lumped model of vibration along " + model.axis() + ", as a Python function", "does what 'wbv simulate --model' does. It needs NumPy and nothing else");
+        text.head("a lumped model of vibration along " + model.axis() + ", as a Python function",
+                "does what 'wbv simulate --model' does. It needs NumPy and nothing else");
         text.model();
         text.simulate();
         return text.out + "\n\n" + Parts.usedBy(text.out + "main", "runtime.py");
@@ -115,11 +117,13 @@ final class PythonText {
         for (int i = 0; i < laws.size(); i++) {
             law(out, i, laws.get(i), names, structure.held());
         }
-        line("\n\n# Link, force, how long ago the motion was that it answers [s]" + (structure.held() ? ", memory for a force at the start." : "."));
+        line("\n\n# Link, force, how long ago the motion was that it answers [s]"
+                + (structure.held() ? ", memory for a force at the start." : "."));
         line("LAWS = [");
         for (int i = 0; i < laws.size(); i++) {
             LawAt at = laws.get(i);
-            line("    (" + at.link() + ", law_" + i + ", " + at.law().lateness() + (structure.held() ? ", " + (at.law().hasMemory() ? "start_" + i : "None") : "") + "),");
+            line("    (" + at.link() + ", law_" + i + ", " + at.law().lateness()
+                    + (structure.held() ? ", " + (at.law().hasMemory() ? "start_" + i : "None") : "") + "),");
         }
         line("]");
         line("\n\ndef modulators():");
@@ -142,10 +146,12 @@ final class PythonText {
         Set<String> asked = LawForm.asked(form.steps(), form.constants());
         List<String> motion = MOTION.stream().filter(asked::contains).toList();
         if (!motion.isEmpty()) {
-            out.append("    ").append(String.join(", ", motion)).append(" = ").append(motion.stream().map(name -> "motion." + name).collect(Collectors.joining(", ")))
+            out.append("    ").append(String.join(", ", motion)).append(" = ")
+                    .append(motion.stream().map(name -> "motion." + name).collect(Collectors.joining(", ")))
                     .append('\n');
         }
-        form.steps().forEach(line -> out.append("    ").append(line.name()).append(" = ").append(Language.PYTHON.of(line.value())).append('\n'));
+        form.steps().forEach(
+                line -> out.append("    ").append(line.name()).append(" = ").append(Language.PYTHON.of(line.value())).append('\n'));
         out.append("    return force, ").append(at.law().hasMemory() ? "remembered" : "0.0").append('\n');
         if (starts && at.law().hasMemory()) {
             out.append("\n\ndef start_").append(i).append("(force):\n    \"\"\"Its memory where it carries a force at rest.\"\"\"\n");
@@ -177,13 +183,17 @@ final class PythonText {
             }
             line("    return reading");
         }
-        line("\n\n# Number of the body or the link, " + (structure.held() ? "channel, its bias" : "what is read there") + ", what the sensor makes of it.");
+        line("\n\n# Number of the body or the link, " + (structure.held() ? "channel, its bias" : "what is read there")
+                + ", what the sensor makes of it.");
         line("SENSORS = [");
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
-            double bias = output.faults().stream().filter(fault -> fault instanceof SensorFault.Bias).mapToDouble(fault -> ((SensorFault.Bias) fault).bias()).sum();
+            double bias = output.faults().stream().filter(fault -> fault instanceof SensorFault.Bias)
+                    .mapToDouble(fault -> ((SensorFault.Bias) fault).bias()).sum();
             String reading = output.reading() == Assembly.Reading.LINK_FORCE ? "force" : output.reading().name().toLowerCase(Locale.ROOT);
-            line("    (" + output.place() + ", " + (structure.held() ? quoted(model.outputs().get(o).toString()) + ", " + bias : quoted(reading)) + ", sensor_" + o + "),");
+            line("    (" + output.place() + ", "
+                    + (structure.held() ? quoted(model.outputs().get(o).toString()) + ", " + bias : quoted(reading)) + ", sensor_" + o
+                    + "),");
         }
         line("]");
     }
@@ -199,7 +209,8 @@ final class PythonText {
             return;
         }
         if (model.inputs().isEmpty()) {
-            line("    x = moved_base(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + (model.isRig() ? ", on_rig=True)" : ")"));
+            line("    x = moved_base(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString())
+                    + (model.isRig() ? ", on_rig=True)" : ")"));
         } else {
             line("    still = np.zeros(len(channels[" + quoted(model.excitations().get(0).toString()) + "]))");
             line("    x = Excitation(rate, still, channels, finer=4)");
@@ -210,12 +221,14 @@ final class PythonText {
         begin();
         String given = laws.isEmpty() ? "[], []" : "LAWS, modulators()";
         if (structure.held()) {
-            line("    return driven(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + ", " + given + ", drives, SENSORS)");
+            line("    return driven(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + ", " + given
+                    + ", drives, SENSORS)");
             return;
         }
         line("    further = [0.0] * len(LINKS)  # dynamic stiffness of linear laws [N/m]");
         for (LawAt at : laws.isEmpty() ? assembly.laws() : List.<LawAt>of()) {
-            line("    further[" + at.link() + "] = further[" + at.link() + "] + " + call(Names.snake(at.law()) + "_stiffness", "x.omega", (Record) at.law()));
+            line("    further[" + at.link() + "] = further[" + at.link() + "] + "
+                    + call(Names.snake(at.law()) + "_stiffness", "x.omega", (Record) at.law()));
         }
         boolean free = IntStream.range(0, structure.bodies()).anyMatch(b -> structure.unheld()[b]);
         line("    return run(x, " + (free ? "LinearFree" : "Linear") + ", further, " + given + ", drives(x), SENSORS)");
@@ -255,7 +268,8 @@ final class PythonText {
         List<String> arguments = new ArrayList<>(List.of(first));
         for (RecordComponent component : record.getClass().getRecordComponents()) {
             Object value = LawForm.read(record, component);
-            arguments.add(component.getAnnotation(Key.class).value() + "=" + (value instanceof Double ? value.toString() : quoted(value.toString())));
+            arguments.add(component.getAnnotation(Key.class).value() + "="
+                    + (value instanceof Double ? value.toString() : quoted(value.toString())));
         }
         return function + "(" + String.join(", ", arguments) + ")";
     }

@@ -64,7 +64,9 @@ record StepInputs(Map<String, String> units) {
         if (drive instanceof Drive.Measured measured) {
             put(measured.channel(), out);
         } else if (drive instanceof Drive.Late || drive instanceof Drive.Coupled) {
-            throw new DataFault("the model holds an error of its input's own channel (" + drive.mechanism() + "), which reaches ahead or back over the whole recording: " + format + " steps forward; --to python can, or put the channel right and take that force out");
+            throw new DataFault("the model holds an error of its input's own channel (" + drive.mechanism()
+                    + "), which reaches ahead or back over the whole recording: " + format
+                    + " steps forward; --to python can, or put the channel right and take that force out");
         } else if (drive instanceof Drive.Swings swings) {
             throw new DataFault("an end of a link swings across on " + swings.base() + " without a sensor: " + format
                     + " is given motion across as it was measured; --to python can, or put a sensor there");
@@ -86,7 +88,8 @@ record StepInputs(Map<String, String> units) {
         } else if (modulator instanceof Modulator.Level level) {
             put(level.channel(), out);
         } else if (named(modulator)) {
-            out.put(modulator.toString(), modulator instanceof Modulator.Measured measured ? ascii(measured.channel().quantity().unit()) : modulator.unit());
+            out.put(modulator.toString(),
+                    modulator instanceof Modulator.Measured measured ? ascii(measured.channel().quantity().unit()) : modulator.unit());
         }
     }
 

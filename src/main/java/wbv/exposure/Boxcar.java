@@ -11,7 +11,7 @@ final class Boxcar {
     private static final int REACH = 24;
     private static final int POINTS = 4096;
 
-    private Boxcar() { }
+    private Boxcar() {}
 
     /** Gain that undoes the droop at a frequency. @param part of the sampling rate, 0 to 0.5 */
     static double gain(double part) {

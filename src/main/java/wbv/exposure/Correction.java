@@ -17,7 +17,7 @@ final class Correction {
     /** Of the response's error, what a tap's own size weighs. */
     private static final double RIDGE = 1e-9;
 
-    private Correction() { }
+    private Correction() {}
 
     /**
      * The taps, in the order of the values that they weigh, the oldest first.

@@ -33,7 +33,7 @@ public final class Meter implements Snapshot {
 
     /** A meter for a recording whose mean is known. @param rate [Hz] @see ExactWeigher */
     public static Meter exact(AnalogFilter filter, double rate, double mean, boolean boxcar) {
-        return exact(filter, rate, mean, boxcar, (value, running) -> { });
+        return exact(filter, rate, mean, boxcar, (value, running) -> {});
     }
 
     /** The same, with someone who looks on. */

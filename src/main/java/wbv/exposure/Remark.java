@@ -9,4 +9,4 @@ import wbv.recording.inspect.Severity;
  * @param message  one line: where, what, how much
  * @param advice   one line: what it means for the result, or what to do
  */
-public record Remark(Severity severity, String message, String advice) { }
+public record Remark(Severity severity, String message, String advice) {}

@@ -23,7 +23,7 @@ final class Remarks {
     private static final double TOO_MANY_LOST = 0.3;
     private static final double FAST_ENOUGH = 200;
 
-    private Remarks() { }
+    private Remarks() {}
 
     /** Refuses channels that look to be in another unit: a verdict would be wrong by 9.81. */
     static void requireUnits(Inspection inspection, List<Channel> used) {
@@ -85,7 +85,8 @@ final class Remarks {
         String named = axes.entrySet().stream().filter(entry -> entry.getValue().shocks())
                 .map(entry -> entry.getKey().letter() + " (crest factor " + RoundedNumber.text(entry.getValue().crestFactor(), 3)
                         + ", MTVV/a_w " + RoundedNumber.text(entry.getValue().mtvvRatio(), 3) + ", VDV/(a_w T^¼) "
-                        + RoundedNumber.text(entry.getValue().vdvRatio(), 3) + ")").collect(Collectors.joining(", "));
+                        + RoundedNumber.text(entry.getValue().vdvRatio(), 3) + ")")
+                .collect(Collectors.joining(", "));
         if (!named.isEmpty()) {
             remarks.add(new Remark(Severity.WARNING, "shocks or changes of level along " + named
                     + "; limits 9, 1.5 and 1.75", "the r.m.s. belittles them (ISO 2631-1 6.3): judge by the dose too"));
@@ -102,7 +103,8 @@ final class Remarks {
             double third = Math.PI / 3;
             remarks.add(new Remark(Severity.NOTE,
                     "a sensor whose samples are means over the sampling period (Xsens MTw, DOT) lacks "
-                    + RoundedNumber.text(100 * (1 - Math.sin(third) / third), 2) + " % at " + RoundedNumber.text(rate / 3, 3) + " Hz",
+                            + RoundedNumber.text(100 * (1 - Math.sin(third) / third), 2) + " % at " + RoundedNumber.text(rate / 3, 3)
+                            + " Hz",
                     "if yours is one, --boxcar undoes it"));
         }
     }
@@ -119,7 +121,7 @@ final class Remarks {
             if (used.contains(spikes.channel())) {
                 remarks.add(new Remark(Severity.WARNING, spikes.message(), "not motion, yet they count: "
                         + (spikes.channel().quantity() == Quantity.ANGULAR_RATE ? "the rotation's part of comfort is too high"
-                        : "dose, crest factor and MTVV are too high")));
+                                : "dose, crest factor and MTVV are too high")));
             }
         } else if (finding instanceof Finding.GravityLeftIn gravity) {
             if (locations.contains(gravity.location())) {

@@ -6,7 +6,7 @@ import java.math.MathContext;
 /** Numbers in sentences: so many significant digits, no zeros at the end. */
 final class RoundedNumber {
 
-    private RoundedNumber() { }
+    private RoundedNumber() {}
 
     static String text(double value, int digits) {
         return Double.isFinite(value)

@@ -28,9 +28,9 @@ import wbv.signal.ThirdOctaves;
  * @param remarks        what the reader has to know, gravest first
  */
 public record SeatMeasurement(Inspection inspection, Metadata metadata, String place, boolean boxcar,
-                              Map<SeatAxis, Vibration> axes, Map<SeatAxis, Vibration> base, Optional<String> basePlace,
-                              Map<ComfortAxis, Double> comfort, Optional<Vibration> sickness, Optional<Spine> spine,
-                              Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, List<Remark> remarks) {
+        Map<SeatAxis, Vibration> axes, Map<SeatAxis, Vibration> base, Optional<String> basePlace,
+        Map<ComfortAxis, Double> comfort, Optional<Vibration> sickness, Optional<Spine> spine,
+        Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, List<Remark> remarks) {
 
     /**
      * What ISO 2631-5 makes of vertical shocks.
@@ -39,13 +39,13 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
      * @param peaks that make it up
      * @param seconds measured
      */
-    public record Spine(double dose, long peaks, double seconds) { }
+    public record Spine(double dose, long peaks, double seconds) {}
 
     /** Weighted acceleration and its running r.m.s. over 1 s, drawn small. @param step between the values they hold [s] */
-    public record History(Envelope weighted, Envelope running, double step) { }
+    public record History(Envelope weighted, Envelope running, double step) {}
 
     /** One-third-octave r.m.s. values [m/s²], as measured and weighted; the same bands. */
-    public record Spectrum(ThirdOctaves measured, ThirdOctaves weighted) { }
+    public record Spectrum(ThirdOctaves measured, ThirdOctaves weighted) {}
 
     /** The recording as one of a day's tasks. @param minutes daily [min] */
     public DailyTask task(String name, double minutes) {

@@ -58,7 +58,7 @@ public final class SeatMeter {
      * @param base   below the seat; empty to choose platform or floor
      * @param boxcar true if the sensors' samples are means over the sampling period
      */
-    public record Setup(Optional<String> place, Optional<String> base, boolean boxcar) { }
+    public record Setup(Optional<String> place, Optional<String> base, boolean boxcar) {}
 
     /** A spectrum that lost packets do not cost whole segments: where they are too many to be bridged, the mean stands in. */
     private static final class Bridged implements DoubleConsumer {
@@ -92,10 +92,10 @@ public final class SeatMeter {
     }
 
     /** A channel and what takes its samples. */
-    private record Line(Channel channel, Meter meter, List<DoubleConsumer> others) { }
+    private record Line(Channel channel, Meter meter, List<DoubleConsumer> others) {}
 
     /** What takes the samples of a line. */
-    private record Taker(int line, DoubleConsumer measures) { }
+    private record Taker(int line, DoubleConsumer measures) {}
 
     private final Optional<Meter> sickness;
     private final List<Taker> takers = new ArrayList<>();

@@ -321,8 +321,8 @@ public final class StreamWeigher implements Weigher, Snapshot {
      */
     private void loadFirst(StateReader in) {
         loadBeginning(in);
-        int twice = BandlimitedResampler.raising(2, 0.45, 0.5, 60, value -> { }).delay();
-        int further = BandlimitedResampler.raising(between.steps(), 0.25, 0.75, 75, value -> { }).delay();
+        int twice = BandlimitedResampler.raising(2, 0.45, 0.5, 60, value -> {}).delay();
+        int further = BandlimitedResampler.raising(between.steps(), 0.25, 0.75, 75, value -> {}).delay();
         boolean[] flags = new boolean[twice + further + taps.length + 2];
         in.flags(flags);
         int newest = in.integer(0, flags.length - 1, "a place in a weigher");

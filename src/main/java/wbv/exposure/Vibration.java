@@ -15,7 +15,7 @@ package wbv.exposure;
  * @param mtvvExponential greatest running r.m.s., exponential with τ = 1 s [m/s²]
  */
 public record Vibration(double seconds, double missing, double rms, double deviation, double peak, double vdv, double mtvv,
-                        double mtvvTime, double mtvvExponential) {
+        double mtvvTime, double mtvvExponential) {
 
     /** Crest factor up to which r.m.s. is enough (ISO 2631-1 6.2.2). */
     public static final double GREATEST_CREST = 9;

@@ -21,7 +21,7 @@ public sealed interface Weigher permits ExactWeigher, StreamWeigher {
         }
 
         /** Hears a value between the last ones. It is one more look at the signal, not more of it. */
-        default void between(double value) { }
+        default void between(double value) {}
     }
 
     /** Takes the next sample; NaN is missing. */

@@ -97,7 +97,7 @@ public enum Weighting {
      * @param below part that may be lacking, 0 to 1
      * @param above part that may be too much
      */
-    public record Tolerance(double below, double above) { }
+    public record Tolerance(double below, double above) {}
 
     /** @param gain K @param f3 [Hz] @param f4 [Hz] */
     private record Transition(double f3, double f4, double q4, double gain) {

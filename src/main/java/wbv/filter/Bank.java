@@ -388,7 +388,7 @@ final class Bank implements BodyFilter {
     }
 
     @Override
-    public void learnDrift(long width) { }
+    public void learnDrift(long width) {}
 
     @Override
     public Sensitivity sensitivity() {

@@ -45,7 +45,7 @@ public final class BodyEstimate implements Serializable, Snapshot {
     long missing;
     long reseeds;
 
-    BodyEstimate() { }
+    BodyEstimate() {}
 
     /** As before the first sample, but for what the filter publishes after each. */
     void clear() {

@@ -336,7 +336,7 @@ public final class BodyEstimator implements Estimator {
                 filter.doubt();
                 restartScatter();
             }
-            default -> { }
+            default -> {}
         }
         track.hear(vigil.heardBy(), verdict == InnovationWatch.Verdict.CHANGED);
         if (verdict == InnovationWatch.Verdict.QUIET) {

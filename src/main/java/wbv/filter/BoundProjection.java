@@ -174,7 +174,8 @@ final class BoundProjection implements Serializable {
     }
 
     private boolean bounded(Bounds bounds, int row) {
-        if (ATTRIBUTES[row % ATTRIBUTES.length] == Bounds.Attribute.BASE_SHARE && !(model instanceof SkyhookDegree && row < ATTRIBUTES.length)) {
+        if (ATTRIBUTES[row % ATTRIBUTES.length] == Bounds.Attribute.BASE_SHARE
+                && !(model instanceof SkyhookDegree && row < ATTRIBUTES.length)) {
             return false;
         }
         return lower(bounds, row) != Double.NEGATIVE_INFINITY || upper(bounds, row) != Double.POSITIVE_INFINITY;

@@ -21,19 +21,19 @@ sealed interface Confinement extends Serializable, Snapshot permits Confinement.
     /** Nothing keeps it. */
     record Free() implements Confinement {
         @Override
-        public void begin() { }
+        public void begin() {}
 
         @Override
-        public void apply() { }
+        public void apply() {}
 
         @Override
-        public void reset() { }
+        public void reset() {}
 
         @Override
-        public void save(StateWriter out) { }
+        public void save(StateWriter out) {}
 
         @Override
-        public void load(StateReader in) { }
+        public void load(StateReader in) {}
     }
 
     /** The bounds of a body, and those of a constraint within them. */

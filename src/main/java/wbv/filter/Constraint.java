@@ -30,16 +30,16 @@ public interface Constraint extends Serializable, Snapshot {
         NOTHING;
 
         @Override
-        public void at(long sample, Bounds bounds) { }
+        public void at(long sample, Bounds bounds) {}
 
         @Override
-        public void reset() { }
+        public void reset() {}
 
         @Override
-        public void save(StateWriter out) { }
+        public void save(StateWriter out) {}
 
         @Override
-        public void load(StateReader in) { }
+        public void load(StateReader in) {}
     }
 
     /** Nothing is known. One object, even after it was serialised. */

@@ -20,7 +20,8 @@ import wbv.filter.model.TwoDegrees;
  * @param constraint what is known of the body from elsewhere; taken by {@link Method#CONSTRAINED} alone
  * @param skyhook    whether part of the damping may act against rest; one degree of freedom and {@link Method#CONSTRAINED} alone
  */
-public record EstimatorDesign(Method method, int degrees, int particles, long seed, Constraint constraint, boolean skyhook) implements Serializable {
+public record EstimatorDesign(Method method, int degrees, int particles, long seed, Constraint constraint, boolean skyhook)
+        implements Serializable {
 
     /** Fewest particles of a filter. */
     public static final int LEAST_PARTICLES = 50;

@@ -12,7 +12,7 @@ import wbv.snapshot.StateWriter;
 /** An estimator's state with what it was made of in front, so that the bytes say all that is needed to go on. */
 public final class EstimatorState {
 
-    private EstimatorState() { }
+    private EstimatorState() {}
 
     /**
      * Everything of an estimator, as bytes.

@@ -64,8 +64,10 @@ public record FixedBounds(List<Bound> each) implements Constraint {
         return Arrays.stream(Bounds.Attribute.values()).filter(a -> a != Bounds.Attribute.BASE_SHARE)
                 .filter(a -> a.name().equalsIgnoreCase(name)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("what can be bounded is one of "
-                        + Arrays.stream(Bounds.Attribute.values()).filter(a -> a != Bounds.Attribute.BASE_SHARE).map(a -> a.name().toLowerCase(Locale.ROOT))
-                                .collect(Collectors.joining(", ")) + ": '" + name + "'"));
+                        + Arrays.stream(Bounds.Attribute.values()).filter(a -> a != Bounds.Attribute.BASE_SHARE)
+                                .map(a -> a.name().toLowerCase(Locale.ROOT))
+                                .collect(Collectors.joining(", "))
+                        + ": '" + name + "'"));
     }
 
     private static double number(String text, double none, String word) {
@@ -85,12 +87,12 @@ public record FixedBounds(List<Bound> each) implements Constraint {
     }
 
     @Override
-    public void reset() { }
+    public void reset() {}
 
     /** Bounds that hold all the time have no memory. */
     @Override
-    public void save(StateWriter out) { }
+    public void save(StateWriter out) {}
 
     @Override
-    public void load(StateReader in) { }
+    public void load(StateReader in) {}
 }

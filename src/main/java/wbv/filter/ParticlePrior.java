@@ -12,7 +12,7 @@ final class ParticlePrior {
     private static final double LIGHT = 0.03;
     private static final double HEAVY = 1.5;
 
-    private ParticlePrior() { }
+    private ParticlePrior() {}
 
     /**
      * Draws the parameters of one particle.

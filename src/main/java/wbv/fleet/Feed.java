@@ -32,11 +32,11 @@ interface Feed extends Closeable {
     }
 
     /** What was sent. */
-    sealed interface Sent { }
+    sealed interface Sent {}
 
     /** A packet. */
-    record Read(Packet packet) implements Sent { }
+    record Read(Packet packet) implements Sent {}
 
     /** Bytes that are none. @param reason in one line */
-    record Unread(byte[] bytes, String reason) implements Sent { }
+    record Unread(byte[] bytes, String reason) implements Sent {}
 }

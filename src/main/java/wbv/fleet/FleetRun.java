@@ -91,7 +91,7 @@ public final class FleetRun {
     }
 
     /** The three files that grow. */
-    private record Output(GrowingFile results, GrowingFile alarms, GrowingFile unread) { }
+    private record Output(GrowingFile results, GrowingFile alarms, GrowingFile unread) {}
 
     /**
      * A run of a replay.

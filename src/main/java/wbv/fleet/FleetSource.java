@@ -39,5 +39,5 @@ public sealed interface FleetSource {
      * @param results what the names of the topics of results, alarms, tables and packets that cannot be read begin with
      * @param ends    whether the run ends where the topic ends when it begins
      */
-    record Topic(String brokers, String topic, String results, boolean ends) implements FleetSource { }
+    record Topic(String brokers, String topic, String results, boolean ends) implements FleetSource {}
 }

@@ -50,7 +50,8 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
                 .sorted(Comparator.comparingDouble(each -> -each.exposure().get().a8())).limit(NAMED)
                 .map(each -> worst(each.seat(), each.exposure().get(), each.losses().samples())).toList();
         double speed = outcome.taken() > 0 && outcome.processor() > 0 ? outcome.samplesPerCore() : Double.NaN;
-        return new FleetSummary(outcome.seats().size(), outcome.samples(), outcome.resumed(), speed, packets, twice, late, lost, samples, worst);
+        return new FleetSummary(outcome.seats().size(), outcome.samples(), outcome.resumed(), speed, packets, twice, late, lost, samples,
+                worst);
     }
 
     private static Worst worst(String seat, SeatResult.Exposure exposure, long lost) {

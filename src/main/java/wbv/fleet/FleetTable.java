@@ -27,7 +27,8 @@ public final class FleetTable {
     /** First line of worst.csv, with its end. */
     public static final String WORST = "from_s,to_s,rank,seat,a8_m_per_s2,minutes_to_action,minutes_to_limit,lost_minutes\n";
     private static final int LISTED = 10;
-    private static final Comparator<Entry> WORST_FIRST = Comparator.<Entry>comparingDouble(each -> -each.known()).thenComparing(Entry::seat);
+    private static final Comparator<
+            Entry> WORST_FIRST = Comparator.<Entry>comparingDouble(each -> -each.known()).thenComparing(Entry::seat);
 
     private final double period;
     private final double rate;

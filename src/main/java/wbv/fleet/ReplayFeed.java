@@ -72,5 +72,5 @@ final class ReplayFeed implements Feed {
     }
 
     @Override
-    public void close() { }
+    public void close() {}
 }

@@ -94,7 +94,8 @@ final class Binary implements Closeable {
     /** The fault of something that failed, with what the unit said of it. */
     DataFault failure(String what) {
         String words = String.join("; ", said);
-        return DataFault.in(name, what + (words.isEmpty() ? "; the unit does not say why" : "; it says: " + words.substring(0, Math.min(SHOWN, words.length()))));
+        return DataFault.in(name, what
+                + (words.isEmpty() ? "; the unit does not say why" : "; it says: " + words.substring(0, Math.min(SHOWN, words.length()))));
     }
 
     private Function function(String function) {
@@ -125,7 +126,8 @@ final class Binary implements Closeable {
 
     /** A function of the C library that this program is linked to. */
     static Pointer ofC(String function) {
-        return Platform.isWindows() ? NativeLibrary.getInstance("msvcrt").getFunction(function) : NativeLibrary.getProcess().getFunction(function);
+        return Platform.isWindows() ? NativeLibrary.getInstance("msvcrt").getFunction(function)
+                : NativeLibrary.getProcess().getFunction(function);
     }
 
     /** How FMI 2.0 logs: of what belongs to the placeholders of the message the first is taken, as if it were declared. */
@@ -143,7 +145,8 @@ final class Binary implements Closeable {
         }
         int at = message.replace("%%", "  ").indexOf('%');
         boolean text = at >= 0 && message.startsWith("%s", at) && first != null && !Platform.isARM();
-        String whole = text ? message.substring(0, at) + first.getString(0, "UTF-8") + message.substring(at + 2).replaceAll(PLACEHOLDER, "…")
+        String whole = text
+                ? message.substring(0, at) + first.getString(0, "UTF-8") + message.substring(at + 2).replaceAll(PLACEHOLDER, "…")
                 : message.replaceAll(PLACEHOLDER, "…");
         return whole.replace("%%", "%");
     }

@@ -15,7 +15,7 @@ final class CoSimulationRun extends Run {
 
     /** @param interpolating the instance, where it takes derivatives of its inputs */
     CoSimulationRun(Instance instance, double rate, List<Variable> wired, List<InputSignal> signals, List<Variable> read,
-                    Optional<Instance.Interpolating> interpolating) {
+            Optional<Instance.Interpolating> interpolating) {
         super(instance, rate, wired, signals, read);
         this.interpolating = interpolating;
     }
@@ -67,7 +67,8 @@ final class CoSimulationRun extends Run {
             int i = Math.max(1, Math.min(grid[0].length - 3, (int) place));
             for (int o = 0; o < grid.length; o++) {
                 double[] y = grid[o];
-                out[o][s] = y.length < 4 ? y[Math.min(y.length - 1, (int) Math.rint(place))] : InputSignal.cubic(y[i - 1], y[i], y[i + 1], y[i + 2], place - i);
+                out[o][s] = y.length < 4 ? y[Math.min(y.length - 1, (int) Math.rint(place))]
+                        : InputSignal.cubic(y[i - 1], y[i], y[i + 1], y[i + 2], place - i);
             }
         }
         return out;

@@ -32,7 +32,8 @@ public record Description(int version, String model, String token, Optional<Kind
      * @param directional   whether it gives directional derivatives
      * @param silentSteps   whether it need not hear of completed integrator steps
      */
-    public record Kind(String identifier, boolean variableStep, OptionalDouble fixedStep, boolean interpolates, boolean directional, boolean silentSteps) { }
+    public record Kind(String identifier, boolean variableStep, OptionalDouble fixedStep, boolean interpolates, boolean directional,
+            boolean silentSteps) {}
 
     public Description {
         variables = List.copyOf(variables);
@@ -51,6 +52,7 @@ public record Description(int version, String model, String token, Optional<Kind
 
     /** Of its log categories those that tell of errors and warnings. */
     String[] errorCategories() {
-        return logCategories.stream().filter(category -> category.toLowerCase(Locale.ROOT).matches(".*(error|fatal|warning).*")).toArray(String[]::new);
+        return logCategories.stream().filter(category -> category.toLowerCase(Locale.ROOT).matches(".*(error|fatal|warning).*"))
+                .toArray(String[]::new);
     }
 }

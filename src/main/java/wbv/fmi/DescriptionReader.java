@@ -54,9 +54,11 @@ final class DescriptionReader {
         try (InputStream in = Files.newInputStream(file)) {
             return new DescriptionReader(factory.createXMLStreamReader(in)).description();
         } catch (XMLStreamException | IllegalArgumentException wrong) {
-            String why = wrong instanceof XMLStreamException at && at.getLocation() != null ? "line " + at.getLocation().getLineNumber() + ", " : "";
+            String why = wrong instanceof XMLStreamException at && at.getLocation() != null
+                    ? "line " + at.getLocation().getLineNumber() + ", " : "";
             String said = String.valueOf(wrong.getMessage()).replaceAll("(?s).*Message: ", "").replaceAll("\\s+", " ");
-            throw DataFault.in(name, "its modelDescription.xml cannot be read: " + why + said.substring(0, Math.min(SHOWN, said.length())), wrong);
+            throw DataFault.in(name, "its modelDescription.xml cannot be read: " + why + said.substring(0, Math.min(SHOWN, said.length())),
+                    wrong);
         } catch (DataFault fault) {
             throw fault.of(name);
         }
@@ -76,10 +78,11 @@ final class DescriptionReader {
                         open = Optional.empty();
                     }
                 }
-                default -> { }
+                default -> {}
             }
         }
-        return new Description(version.startsWith("3") ? 3 : 2, model, token, coSimulation, modelExchange, variables, states, indicators, step, categories);
+        return new Description(version.startsWith("3") ? 3 : 2, model, token, coSimulation, modelExchange, variables, states, indicators,
+                step, categories);
     }
 
     /** @param element that begins inside of {@link #path} */
@@ -91,7 +94,7 @@ final class DescriptionReader {
                 case "CoSimulation" -> coSimulation = Optional.of(kind());
                 case "ModelExchange" -> modelExchange = Optional.of(kind());
                 case "DefaultExperiment" -> step = number("stepSize");
-                default -> { }
+                default -> {}
             }
         } else if (inside("ModelVariables")) {
             open = Optional.of(variable(element));
@@ -114,7 +117,8 @@ final class DescriptionReader {
     private void root(String element) {
         version = text("fmiVersion").orElse("");
         if (!element.equals("fmiModelDescription")) {
-            throw new DataFault("its modelDescription.xml begins with <" + element + ">, not with <fmiModelDescription>; is it a functional mock-up unit?");
+            throw new DataFault("its modelDescription.xml begins with <" + element
+                    + ">, not with <fmiModelDescription>; is it a functional mock-up unit?");
         }
         if (!version.startsWith("2.") && !version.startsWith("3.")) {
             throw new DataFault("is of FMI " + (version.isEmpty() ? "no version" : version) + "; export it as FMI 2.0 or 3.0");
@@ -150,7 +154,8 @@ final class DescriptionReader {
             throw new DataFault("its variable " + name + " has no valueReference that is a number", none);
         }
         boolean real = TYPES.contains(element) && element.equals("Float64");
-        return new Variable(name, (int) reference, role, tunable, real, real ? start() : OptionalDouble.empty(), real ? unit() : VariableUnit.NONE);
+        return new Variable(name, (int) reference, role, tunable, real, real ? start() : OptionalDouble.empty(),
+                real ? unit() : VariableUnit.NONE);
     }
 
     /** What stands inside of a variable: in FMI 2.0 its type, in 3.0 the dimensions of an array, which is not touched. */
@@ -181,7 +186,8 @@ final class DescriptionReader {
             for (String base : List.of("kg", "m", "s", "A", "K", "mol", "cd")) {
                 number(base).ifPresent(exponent -> exponents.put(base, (int) exponent));
             }
-            units.put(named, new VariableUnit(named, number("factor").orElse(1), number("offset").orElse(0), Optional.of(VariableUnit.significant(exponents))));
+            units.put(named, new VariableUnit(named, number("factor").orElse(1), number("offset").orElse(0),
+                    Optional.of(VariableUnit.significant(exponents))));
         }
     }
 
@@ -190,7 +196,8 @@ final class DescriptionReader {
     }
 
     private boolean is(String attribute) {
-        return text(attribute).map(value -> value.toLowerCase(Locale.ROOT)).filter(value -> value.equals("true") || value.equals("1")).isPresent();
+        return text(attribute).map(value -> value.toLowerCase(Locale.ROOT)).filter(value -> value.equals("true") || value.equals("1"))
+                .isPresent();
     }
 
     private OptionalDouble number(String attribute) {

@@ -30,7 +30,7 @@ import wbv.recording.Recording;
  * @param after  the same with fitted values
  */
 public record FittedValues(Map<String, Double> given, Map<String, Double> values, Map<String, Double> std, Map<Channel, Double> before,
-                           Map<Channel, Double> after) {
+        Map<Channel, Double> after) {
 
     private static final double KNOWN = 0.5;
     private static final int ROUNDS = 8;
@@ -79,8 +79,9 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
             outputs = IntStream.range(0, simulation.outputs().size()).filter(o -> recording.has(simulation.outputs().get(o))).toArray();
             channels = Arrays.stream(outputs).mapToObj(o -> simulation.outputs().get(o)).toList();
             if (names.isEmpty() || outputs.length == 0) {
-                throw new DataFault(names.isEmpty() ? "the simulation has no tunable parameter" : "none of the simulation's outputs " + simulation.outputs()
-                        + " was recorded");
+                throw new DataFault(names.isEmpty() ? "the simulation has no tunable parameter"
+                        : "none of the simulation's outputs " + simulation.outputs()
+                                + " was recorded");
             }
             scale = names.stream().mapToDouble(simulation::scale).toArray();
             given = names.stream().mapToDouble(simulation.parameters()::get).toArray();
@@ -94,7 +95,7 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
          * @param x changes in units of the scale
          * @param residual by channel, recorded less simulated, its mean taken away; NaN where missing
          */
-        private record Stand(double[] x, double[][] simulated, double[][] residual, double cost) { }
+        private record Stand(double[] x, double[][] simulated, double[][] residual, double cost) {}
 
         private Map<String, Double> values(double[] x) {
             Map<String, Double> out = new LinkedHashMap<>();
@@ -129,7 +130,8 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
         }
 
         private static double rms(double[] x) {
-            return Math.sqrt(Arrays.stream(x).filter(value -> !Double.isNaN(value)).map(value -> value * value).average().orElse(0)) + Double.MIN_NORMAL;
+            return Math.sqrt(Arrays.stream(x).filter(value -> !Double.isNaN(value)).map(value -> value * value).average().orElse(0))
+                    + Double.MIN_NORMAL;
         }
 
         FittedValues fitted(BiConsumer<String, Double> progress) {

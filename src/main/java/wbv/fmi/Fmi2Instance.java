@@ -75,7 +75,8 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
 
     @Override
     public void slopes(VariableBlock inputs) {
-        call("setting the slopes of its inputs", "fmi2SetRealInputDerivatives", handle, inputs.references, Binary.size(inputs.size), first, inputs.values);
+        call("setting the slopes of its inputs", "fmi2SetRealInputDerivatives", handle, inputs.references, Binary.size(inputs.size), first,
+                inputs.values);
     }
 
     @Override

@@ -50,13 +50,15 @@ final class Fmi3Instance implements Instance {
     @Override
     public void set(VariableBlock variables) {
         if (variables.size > 0) {
-            call("setting its variables", "fmi3SetFloat64", handle, variables.references, Binary.size(variables.size), variables.values, Binary.size(variables.size));
+            call("setting its variables", "fmi3SetFloat64", handle, variables.references, Binary.size(variables.size), variables.values,
+                    Binary.size(variables.size));
         }
     }
 
     @Override
     public void get(VariableBlock variables) {
-        call("reading its variables", "fmi3GetFloat64", handle, variables.references, Binary.size(variables.size), variables.values, Binary.size(variables.size));
+        call("reading its variables", "fmi3GetFloat64", handle, variables.references, Binary.size(variables.size), variables.values,
+                Binary.size(variables.size));
     }
 
     @Override

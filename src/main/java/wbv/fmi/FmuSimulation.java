@@ -84,7 +84,8 @@ public final class FmuSimulation implements Closeable {
      * @throws DataFault   if it is no unit that can be run here, or has no input and output in common with the recording
      * @throws IOException if the file cannot be read
      */
-    public static FmuSimulation open(Path file, Recording recording, Map<String, Channel> inputs, Map<String, Channel> outputs) throws IOException {
+    public static FmuSimulation open(Path file, Recording recording, Map<String, Channel> inputs, Map<String, Channel> outputs)
+            throws IOException {
         String name = file.toString();
         UnpackedFmu unpacked = UnpackedFmu.of(file);
         try {
@@ -138,13 +139,15 @@ public final class FmuSimulation implements Closeable {
         notes.add(String.format(Locale.ROOT, "%s: FMI %d.0 %s '%s'%s", name, unit.version(),
                 ownSteps() ? "co-simulation" : "model exchange", unit.model(), fineness.map(this::words).orElse("")));
         notes.addAll(wiring.notes());
-        notes.add(tunable.isEmpty() ? "no tunable parameter: its values are taken as right" : "tunable, and so perhaps wrong: " + String.join(", ", parameters().keySet()));
+        notes.add(tunable.isEmpty() ? "no tunable parameter: its values are taken as right"
+                : "tunable, and so perhaps wrong: " + String.join(", ", parameters().keySet()));
         return List.copyOf(notes);
     }
 
     private String words(Fineness chosen) {
         return chosen.parts() == 0 ? String.format(Locale.ROOT, ", in its own steps of %.3g s", chosen.step())
-                : String.format(Locale.ROOT, ", %d steps a sample; twice as many change its outputs by %.1g of their root mean square", chosen.parts(), change);
+                : String.format(Locale.ROOT, ", %d steps a sample; twice as many change its outputs by %.1g of their root mean square",
+                        chosen.parts(), change);
     }
 
     private boolean ownSteps() {
@@ -182,7 +185,8 @@ public final class FmuSimulation implements Closeable {
     public double[][] pushed(String place, double[] force) {
         Variable at = wiring.places().stream().filter(each -> each.name().equals(place)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("there are the places " + places() + ": " + place));
-        double[][] with = outputs(Map.of(), List.of(at), List.of(new InputSignal(force, recording.clock().rate(), false)), recording.length());
+        double[][] with = outputs(Map.of(), List.of(at), List.of(new InputSignal(force, recording.clock().rate(), false)),
+                recording.length());
         return less(with, outputs(Map.of(), List.of(), List.of(), recording.length()), 1);
     }
 
@@ -260,7 +264,8 @@ public final class FmuSimulation implements Closeable {
             double[] series = out[o++];
             for (int i = 0; i < series.length; i++) {
                 if (!Double.isFinite(series[i])) {
-                    throw DataFault.in(name, String.format(Locale.ROOT, "its outputs leave all bounds %.4g s after its start", i / recording.clock().rate()));
+                    throw DataFault.in(name, String.format(Locale.ROOT, "its outputs leave all bounds %.4g s after its start",
+                            i / recording.clock().rate()));
                 }
                 series[i] = output.unit().toSi(series[i]);
             }
@@ -271,12 +276,14 @@ public final class FmuSimulation implements Closeable {
     /** Halves the step until that changes nothing, on the first samples. */
     private Fineness chosen() {
         double rate = recording.clock().rate();
-        OptionalDouble own = unit.coSimulation().map(kind -> kind.fixedStep().isPresent() ? kind.fixedStep() : kind.variableStep() ? OptionalDouble.empty() : unit.step())
+        OptionalDouble own = unit.coSimulation()
+                .map(kind -> kind.fixedStep().isPresent() ? kind.fixedStep() : kind.variableStep() ? OptionalDouble.empty() : unit.step())
                 .orElse(OptionalDouble.empty());
         if (own.isPresent() && own.getAsDouble() > 0) {
             double step = own.getAsDouble();
             if (step > 1 / rate) {
-                throw DataFault.in(name, String.format(Locale.ROOT, "steps by %.4g s alone, the recording by %.4g s; export it with a smaller step", step, 1 / rate));
+                throw DataFault.in(name, String.format(Locale.ROOT,
+                        "steps by %.4g s alone, the recording by %.4g s; export it with a smaller step", step, 1 / rate));
             }
             return new Fineness(step * Math.max(1, Math.floor(1 / (OWN_STEPS * rate * step))), 0);
         }
@@ -338,7 +345,8 @@ public final class FmuSimulation implements Closeable {
     }
 
     private Optional<Instance.Interpolating> interpolating(Instance instance) {
-        return unit.coSimulation().orElseThrow().interpolates() && instance instanceof Instance.Interpolating able ? Optional.of(able) : Optional.empty();
+        return unit.coSimulation().orElseThrow().interpolates() && instance instanceof Instance.Interpolating able ? Optional.of(able)
+                : Optional.empty();
     }
 
     private Instance instance(int inputs) throws IOException {

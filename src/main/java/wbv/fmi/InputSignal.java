@@ -90,7 +90,8 @@ final class InputSignal {
 
     /** Lagrange's cubic through values at -1, 0, 1 and 2. */
     static double cubic(double a, double b, double c, double d, double x) {
-        return -a * x * (x - 1) * (x - 2) / 6 + b * (x + 1) * (x - 1) * (x - 2) / 2 - c * (x + 1) * x * (x - 2) / 2 + d * (x + 1) * x * (x - 1) / 6;
+        return -a * x * (x - 1) * (x - 2) / 6 + b * (x + 1) * (x - 1) * (x - 2) / 2 - c * (x + 1) * x * (x - 2) / 2
+                + d * (x + 1) * x * (x - 1) / 6;
     }
 
     /** The constant over a step that does what the signal does: raised by what a hold takes away, (x / sin x) to second order. */

@@ -29,7 +29,8 @@ final class ModelExchangeRun extends Run {
     private double[] before;
     private double[] after;
 
-    ModelExchangeRun(Instance instance, Binary binary, Description unit, double rate, List<Variable> wired, List<InputSignal> signals, List<Variable> read) {
+    ModelExchangeRun(Instance instance, Binary binary, Description unit, double rate, List<Variable> wired, List<InputSignal> signals,
+            List<Variable> read) {
         super(instance, rate, wired, signals, read);
         this.binary = binary;
         states = instance.states(unit.states());

@@ -20,7 +20,8 @@ public record VariableUnit(String name, double factor, double offset, Optional<M
 
     public VariableUnit {
         if (!(Math.abs(factor) > 0) || Double.isInfinite(factor) || !Double.isFinite(offset)) {
-            throw new IllegalArgumentException("the unit '" + name + "' must have a finite factor that is not 0 and a finite offset: " + factor + ", " + offset);
+            throw new IllegalArgumentException(
+                    "the unit '" + name + "' must have a finite factor that is not 0 and a finite offset: " + factor + ", " + offset);
         }
     }
 

@@ -22,7 +22,8 @@ import wbv.recording.Recording;
  * @param outputs that give a channel
  * @param notes   what was assumed, in words
  */
-record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable> places, Map<Variable, Channel> outputs, List<String> notes) {
+record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable> places, Map<Variable, Channel> outputs,
+        List<String> notes) {
 
     private static final String FORCE = "force.";
 
@@ -37,27 +38,32 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
     static Wiring of(Description unit, Recording recording, Map<String, Channel> inputs, Map<String, Channel> outputs, String name) {
         List<Variable> entries = unit.reals(Variable.Role.INPUT);
         List<Variable> exits = new ArrayList<>(unit.reals(Variable.Role.OUTPUT));
-        unit.variables().stream().filter(each -> each.real() && each.role() == Variable.Role.OTHER && outputs.containsKey(each.name())).forEach(exits::add);
+        unit.variables().stream().filter(each -> each.real() && each.role() == Variable.Role.OTHER && outputs.containsKey(each.name()))
+                .forEach(exits::add);
         known(inputs, entries, "--map-input", "input", name);
         known(outputs, exits, "--map-output", "output", name);
         List<String> notes = new ArrayList<>();
         Map<Variable, Channel> wired = new LinkedHashMap<>();
         List<Variable> held = new ArrayList<>();
         for (Variable entry : entries) {
-            Optional<Channel> channel = Optional.ofNullable(inputs.get(entry.name())).or(() -> channel(entry.name()).filter(recording::has));
+            Optional<
+                    Channel> channel = Optional.ofNullable(inputs.get(entry.name())).or(() -> channel(entry.name()).filter(recording::has));
             channel.filter(each -> !recording.has(each)).ifPresent(missing -> {
-                throw new DataFault("the recording lacks " + missing + ", which --map-input gives to " + entry.name() + "; it has " + recording.channels());
+                throw new DataFault("the recording lacks " + missing + ", which --map-input gives to " + entry.name() + "; it has "
+                        + recording.channels());
             });
             channel.ifPresentOrElse(each -> wired.put(entry, each), () -> held.add(entry));
         }
         if (wired.isEmpty()) {
-            throw DataFault.in(name, "none of its inputs " + names(entries) + " is named as a channel that was recorded, " + recording.channels()
-                    + "; say which is which with --map-input VARIABLE=CHANNEL");
+            throw DataFault.in(name,
+                    "none of its inputs " + names(entries) + " is named as a channel that was recorded, " + recording.channels()
+                            + "; say which is which with --map-input VARIABLE=CHANNEL");
         }
         Map<Variable, Channel> given = new LinkedHashMap<>();
         List<Variable> left = new ArrayList<>();
         for (Variable exit : exits) {
-            Optional.ofNullable(outputs.get(exit.name())).or(() -> channel(exit.name())).ifPresentOrElse(each -> given.put(exit, each), () -> left.add(exit));
+            Optional.ofNullable(outputs.get(exit.name())).or(() -> channel(exit.name())).ifPresentOrElse(each -> given.put(exit, each),
+                    () -> left.add(exit));
         }
         if (given.isEmpty()) {
             throw DataFault.in(name, exits.isEmpty() ? "has no output that is a number of 64 bits" : "none of its outputs " + names(exits)
@@ -66,10 +72,12 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
         once(given, name);
         wired.forEach((entry, channel) -> fits(entry, channel, name));
         given.forEach((exit, channel) -> fits(exit, channel, name));
-        notes.add("inputs " + wired.entrySet().stream().map(each -> pair(each.getKey(), each.getValue())).collect(Collectors.joining(", ")));
+        notes.add(
+                "inputs " + wired.entrySet().stream().map(each -> pair(each.getKey(), each.getValue())).collect(Collectors.joining(", ")));
         List<Variable> places = held.stream().filter(each -> each.name().startsWith(FORCE) || each.unit().isForce()).toList();
         held.forEach(each -> notes.add("no channel for the input " + each.name() + ", held at " + each.start().orElse(0)
-                + (each.unit().name().isEmpty() ? "" : " " + each.unit().name()) + (places.contains(each) ? "; a place where a force may act" : "")));
+                + (each.unit().name().isEmpty() ? "" : " " + each.unit().name())
+                + (places.contains(each) ? "; a place where a force may act" : "")));
         if (!left.isEmpty()) {
             notes.add("outputs that are named as no channel are left out: " + names(left));
         }
@@ -84,7 +92,8 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
         Set<String> names = variables.stream().map(Variable::name).collect(Collectors.toCollection(LinkedHashSet::new));
         for (String each : mapped.keySet()) {
             if (!names.contains(each)) {
-                throw DataFault.in(name, option + " " + each + "=" + mapped.get(each) + ": it has no " + kind + " " + each + "; there are " + names);
+                throw DataFault.in(name,
+                        option + " " + each + "=" + mapped.get(each) + ": it has no " + kind + " " + each + "; there are " + names);
             }
         }
     }
@@ -101,7 +110,8 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
 
     private static void fits(Variable variable, Channel channel, String name) {
         if (!variable.unit().fits(channel.quantity())) {
-            throw DataFault.in(name, variable.name() + " is declared in " + variable.unit().name() + ", and " + channel + " is in " + channel.quantity().unit());
+            throw DataFault.in(name, variable.name() + " is declared in " + variable.unit().name() + ", and " + channel + " is in "
+                    + channel.quantity().unit());
         }
     }
 
@@ -121,7 +131,8 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
         }
         int axis = last.lastIndexOf('_');
         int quantity = last.lastIndexOf('_', axis - 1);
-        return quantity <= 0 ? Optional.empty() : parsed(last.substring(0, quantity) + "." + last.substring(quantity + 1, axis) + "." + last.substring(axis + 1));
+        return quantity <= 0 ? Optional.empty()
+                : parsed(last.substring(0, quantity) + "." + last.substring(quantity + 1, axis) + "." + last.substring(axis + 1));
     }
 
     private static Optional<Channel> parsed(String name) {

@@ -14,7 +14,7 @@ import java.util.List;
  * @param converged  whether the last step was small; else it is the best that was found
  */
 public record ArmaxFit(Armax model, double[] initial, double[] deviations, double[][] scatter, int samples, int iterations,
-                       boolean converged) {
+        boolean converged) {
 
     /** Its modes, the slowest first, with their deviations. */
     public List<EquivalentBody.Mode> modes() {

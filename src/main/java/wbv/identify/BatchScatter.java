@@ -17,7 +17,7 @@ final class BatchScatter {
 
     /** Hears the rows of a least-squares problem. */
     interface Sink {
-        Sink NONE = (k, row, error) -> { };
+        Sink NONE = (k, row, error) -> {};
 
         /** @param k number of the sample @param row slopes ψ. Not modified. @param error e */
         void add(int k, double[] row, double error);

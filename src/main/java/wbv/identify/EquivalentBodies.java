@@ -51,7 +51,7 @@ public final class EquivalentBodies {
     private final Parts common;
 
     /** Samples that count: all, those on which rivals are fitted, and those that judge them. */
-    private record Parts(CrossMotions.On all, CrossMotions.On early, CrossMotions.On late) { }
+    private record Parts(CrossMotions.On all, CrossMotions.On early, CrossMotions.On late) {}
 
     /**
      * Bridges and levels what moves the base, which all outputs share.

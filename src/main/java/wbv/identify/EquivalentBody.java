@@ -18,7 +18,7 @@ import java.util.List;
  * @param others     indices of those motions
  */
 public record EquivalentBody(List<Mode> modes, double from, double to, double explained, double withOthers, double share,
-                             List<Integer> others) {
+        List<Integer> others) {
 
     /** Least share that a body must simulate for its numbers to stand: with less, most of the motion is something else's. */
     public static final double LEAST_SHARE = 0.5;

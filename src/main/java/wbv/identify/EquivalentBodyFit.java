@@ -46,7 +46,7 @@ final class EquivalentBodyFit {
      * @param body          what is fitted
      */
     EquivalentBodyFit(double rate, RealDft dft, double[] inputSpectrum, double[] y, double[] weight, CrossMotions.Explaining others,
-                      ModalBody body) {
+            ModalBody body) {
         this.rate = rate;
         this.y = y;
         this.weight = weight;

@@ -69,7 +69,8 @@ final class ModalBody {
                 return false;
             }
         }
-        return skyhook ? Math.abs(theta[2]) < MOST_SHARE : modes == 1 || Math.abs(theta[SHARE]) < MOST_SHARE && Math.abs(theta[CROSS]) < MOST_SHARE;
+        return skyhook ? Math.abs(theta[2]) < MOST_SHARE
+                : modes == 1 || Math.abs(theta[SHARE]) < MOST_SHARE && Math.abs(theta[CROSS]) < MOST_SHARE;
     }
 
     /** Real part of H (at 0) and of its slopes to the parameters (from 1 on), after {@link #at}. */

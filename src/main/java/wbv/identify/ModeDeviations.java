@@ -14,7 +14,7 @@ final class ModeDeviations {
 
     private static final double REAL = 1e-9;
 
-    private ModeDeviations() { }
+    private ModeDeviations() {}
 
     /** Of the z-plane. @param rate [Hz] */
     static List<EquivalentBody.Mode> ofDiscrete(double[] a, double[][] covariance, double rate) {

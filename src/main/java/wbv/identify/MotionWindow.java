@@ -19,7 +19,8 @@ public final class MotionWindow {
      */
     public MotionWindow(double rate, int channels, int capacity) {
         if (!(rate > 0) || channels < 1 || capacity < 1) {
-            throw new IllegalArgumentException("a window needs a rate > 0 Hz, a channel and room: " + rate + ", " + channels + ", " + capacity);
+            throw new IllegalArgumentException(
+                    "a window needs a rate > 0 Hz, a channel and room: " + rate + ", " + channels + ", " + capacity);
         }
         this.rate = rate;
         this.capacity = capacity;

@@ -12,7 +12,7 @@ import java.util.List;
 public record OrderSelection(List<Candidate> tried) {
 
     /** A candidate. @param orders @param fit @param criterion Schwarz's, the lower the better */
-    public record Candidate(Orders orders, ArmaxFit fit, double criterion) { }
+    public record Candidate(Orders orders, ArmaxFit fit, double criterion) {}
 
     public OrderSelection {
         tried = List.copyOf(tried);

@@ -8,7 +8,7 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 /** Monic polynomials {@code x^n + p_1 x^(n-1) + … + p_n}, held as {@code p_1 … p_n}. */
 final class Polynomial {
 
-    private Polynomial() { }
+    private Polynomial() {}
 
     /** All roots, as eigenvalues of the companion matrix. @param p coefficients after the leading 1. Not modified. */
     static Complex_F64[] roots(double[] p) {

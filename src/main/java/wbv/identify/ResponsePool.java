@@ -39,7 +39,7 @@ public final class ResponsePool {
     private final List<Stretch> stretches = new ArrayList<>();
 
     /** Spectral lines of one body: frequency [rad/s], output, then every input, all complex. @param omega measured [rad/s] */
-    private record Stretch(double omega, List<double[]> lines) { }
+    private record Stretch(double omega, List<double[]> lines) {}
 
     /**
      * A pool of no stretch yet.

@@ -14,7 +14,7 @@ import java.util.List;
  * @param converged  whether the last step was small
  */
 public record TransferFit(TransferModel model, double[] initial, double[] deviations, double[][] scatter, double variance,
-                          int iterations, boolean converged) {
+        int iterations, boolean converged) {
 
     /** Its modes, the slowest first, with their deviations. */
     public List<EquivalentBody.Mode> modes() {

@@ -50,8 +50,7 @@ public final class TransferRun implements Serializable {
 
     private void set(TransferModel model) {
         if (model.a().length != n || model.b().length != inputs) {
-            throw new IllegalArgumentException("the model must have " + n + " poles and " + inputs + " inputs: " + model.a()
-                    .length + ", "
+            throw new IllegalArgumentException("the model must have " + n + " poles and " + inputs + " inputs: " + model.a().length + ", "
                     + model.b().length);
         }
         filter = new CompanionForm(model.a(), 1 / rate);

@@ -19,7 +19,8 @@ public non-sealed class AdwinKalman extends BodyRegressor {
 
     public final StringOption inputOption = new StringOption("input", 'i',
             "Attribute with the acceleration of the base [m/s²]: its name, its number from 1, or 'first' for the first that is "
-            + "neither t nor the class.", InstanceFeed.FIRST);
+                    + "neither t nor the class.",
+            InstanceFeed.FIRST);
     public final FloatOption frequencyOption = new FloatOption("frequency", 'f',
             "Natural frequency to start from [Hz].", 5, Spec.LEAST_FREQUENCY, Spec.MOST_FREQUENCY);
     public final FloatOption dampingOption = new FloatOption("damping", 'd',

@@ -26,7 +26,8 @@ public non-sealed class BodyTracker extends BodyRegressor {
             Method.FUSED.ordinal());
     public final StringOption inputOption = new StringOption("input", 'i',
             "Attribute with the motion of the base: its name, its number from 1, or 'first' for the first that is neither t nor "
-            + "the class.", InstanceFeed.FIRST);
+                    + "the class.",
+            InstanceFeed.FIRST);
     public final StringOption crossOption = new StringOption("cross", 'x',
             "Attributes with other motions of the base, separated by commas: what they do to the output is learned and taken away.",
             "");

@@ -10,7 +10,7 @@ public final class Deaf extends AbstractChangeDetector {
     private static final long serialVersionUID = 1;
 
     @Override
-    public void input(double value) { }
+    public void input(double value) {}
 
     @Override
     public void getDescription(StringBuilder out, int indent) {
@@ -18,5 +18,5 @@ public final class Deaf extends AbstractChangeDetector {
     }
 
     @Override
-    protected void prepareForUseImpl(TaskMonitor monitor, ObjectRepository repository) { }
+    protected void prepareForUseImpl(TaskMonitor monitor, ObjectRepository repository) {}
 }

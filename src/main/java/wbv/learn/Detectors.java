@@ -20,7 +20,7 @@ public final class Detectors {
     static final String PURPOSE = "Change detector that hears the innovations beside the estimator's own tests; ADWIN in both "
             + "directions. 'none' for the tests alone.";
 
-    private Detectors() { }
+    private Detectors() {}
 
     /**
      * What makes alarms.

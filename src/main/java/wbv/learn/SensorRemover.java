@@ -44,9 +44,11 @@ public class SensorRemover extends AbstractClassifier implements Regressor, Semi
             + "learning.", null, "json", false);
     public final MultiChoiceOption predictOption = new MultiChoiceOption("predict", 'g', "What predicts the motion.",
             new String[] {"body", "response"}, new String[] {"the body of one mode that the polygons bound, moved by the base alone",
-                "the response to all inputs, tuned by the pole measured"}, 0);
+                "the response to all inputs, tuned by the pole measured"},
+            0);
     public final FloatOption windowOption = new FloatOption("window", 'w', "Length of a window [s].", PoleWindows.USUAL.length(), 10, 600);
-    public final FloatOption hopOption = new FloatOption("hop", 'h', "Time from one window to the next [s].", PoleWindows.USUAL.hop(), 0.1, 600);
+    public final FloatOption hopOption = new FloatOption("hop", 'h', "Time from one window to the next [s].", PoleWindows.USUAL.hop(), 0.1,
+            600);
     public final IntOption keptOption = new IntOption("kept", 'k', "Newest windows that polygons are drawn around.", 120, 12, 100000);
     public final IntOption betweenOption = new IntOption("between", 'b', "Windows from one training to the next.", 12, 1, 100000);
 
@@ -103,7 +105,8 @@ public class SensorRemover extends AbstractClassifier implements Regressor, Semi
             moving.remove(stays);
             // The base's motion along the axis of the absent place leads.
             Channel base = moving.stream().filter(each -> each.axis() == absent.axis() && each.quantity() == absent.quantity()).findFirst()
-                    .orElseThrow(() -> new IllegalArgumentException("no attribute besides " + stays + " moves " + absent + "; there are " + channels));
+                    .orElseThrow(() -> new IllegalArgumentException(
+                            "no attribute besides " + stays + " moves " + absent + "; there are " + channels));
             moving.remove(base);
             moving.add(0, base);
             made = new OnlineRemoval(new Layout(moving, stays, List.of(absent)), new PoleWindows(windowOption.getValue(),

@@ -39,12 +39,13 @@ public class SpectrogramRegressor extends AbstractClassifier implements Regresso
     public final IntOption modesOption = new IntOption("modes", 'g', "Modes of the body where no model is named.", 1, 1, 2);
     public final StringOption inputOption = new StringOption("input", 'i',
             "Attribute with the excitation: its name, or 'first' for the first that is neither t nor the class.",
-                    InstanceFeed.FIRST);
+            InstanceFeed.FIRST);
     public final StringOption outputOption = new StringOption("output", 'o',
             "Attribute with the answer: its name, or 'class' for the class attribute.", CLASS);
     public final MultiChoiceOption targetOption = new MultiChoiceOption("target", 't', "What is predicted.",
             new String[] {"frequency", "damping"}, new String[] {"natural frequency of the slowest mode [Hz]",
-                    "its damping ratio"}, 0);
+                "its damping ratio"},
+            0);
     public final IntOption hopOption = new IntOption("hop", 'h', "Samples from one look to the next.", 30, 1, 100000);
 
     private Sliding sliding = new Sliding(2);
@@ -184,7 +185,8 @@ public class SpectrogramRegressor extends AbstractClassifier implements Regresso
     public void getModelDescription(StringBuilder out, int indent) {
         StringUtils.appendIndented(out, indent, String.format(Locale.ROOT,
                 "%d looks; natural frequency %.3f Hz, damping ratio %.3f "
-                + "at the last%s.", looks, value[1] / TAU, value[0],
+                        + "at the last%s.",
+                looks, value[1] / TAU, value[0],
                 misfit > 1 ? ", which is unlike all that was trained on" : ""));
     }
 

@@ -38,7 +38,7 @@ public class StateLearner extends AbstractClassifier implements MultiClassClassi
 
     public final FileOption modelOption = new FileOption("model", 'm',
             "model.json of 'wbv states train', to follow instead of learning; its features must be attributes.", null, "json",
-                    false);
+            false);
     public final FlagOption diagonalOption = new FlagOption("diagonal", 'd', "Attributes are independent within a class.");
     public final FlagOption blindOption = new FlagOption("blind", 'b',
             "Labels teach only; where the chain is, is told from the attributes alone.");
@@ -98,7 +98,8 @@ public class StateLearner extends AbstractClassifier implements MultiClassClassi
         if (follows()) {
             follow(instance);
         } else {
-            chain = new GrowingChain(instance.numClasses(), row.length, diagonalOption.isSet() ? CovarianceShape.DIAGONAL : CovarianceShape.FULL);
+            chain = new GrowingChain(instance.numClasses(), row.length,
+                    diagonalOption.isSet() ? CovarianceShape.DIAGONAL : CovarianceShape.FULL);
         }
     }
 

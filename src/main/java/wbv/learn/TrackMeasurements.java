@@ -9,7 +9,7 @@ import wbv.filter.model.Spec;
 /** A {@link BodyEstimate} as a sentence and as MOA's measurements, under names that never change. */
 public final class TrackMeasurements {
 
-    private TrackMeasurements() { }
+    private TrackMeasurements() {}
 
     /** Fourteen measurements, units in their names. */
     public static Measurement[] of(BodyEstimate track, ShareExplained explained) {

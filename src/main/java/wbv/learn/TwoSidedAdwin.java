@@ -14,7 +14,8 @@ public class TwoSidedAdwin extends AbstractChangeDetector {
 
     private static final long serialVersionUID = 1;
 
-    public final FloatOption deltaOption = new FloatOption("delta", 'd', "Probability of a false cut at one look.", Adwin.USUAL, 1e-12, 0.999);
+    public final FloatOption deltaOption = new FloatOption("delta", 'd', "Probability of a false cut at one look.", Adwin.USUAL, 1e-12,
+            0.999);
 
     private Adwin window;
 
@@ -40,7 +41,7 @@ public class TwoSidedAdwin extends AbstractChangeDetector {
     }
 
     @Override
-    protected void prepareForUseImpl(TaskMonitor monitor, ObjectRepository repository) { }
+    protected void prepareForUseImpl(TaskMonitor monitor, ObjectRepository repository) {}
 
     @Override
     public void getDescription(StringBuilder out, int indent) {

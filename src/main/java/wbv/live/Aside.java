@@ -15,10 +15,10 @@ public final class Aside implements Closeable {
     /** Nowhere; closing it does nothing. */
     public static final Aside NONE = new Aside(new OutputStream() {
         @Override
-        public void write(int one) { }
+        public void write(int one) {}
 
         @Override
-        public void write(byte[] bytes, int from, int length) { }
+        public void write(byte[] bytes, int from, int length) {}
     }, Long.MAX_VALUE);
     private static final long MOST = 1 << 30;
 
@@ -33,7 +33,8 @@ public final class Aside implements Closeable {
     /** Appends to a file. */
     public static Aside in(Path file) throws IOException {
         long there = Files.exists(file) ? Files.size(file) : 0;
-        return new Aside(new BufferedOutputStream(Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)), MOST - there);
+        return new Aside(new BufferedOutputStream(Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)),
+                MOST - there);
     }
 
     void put(byte[] text, int from, int to) {

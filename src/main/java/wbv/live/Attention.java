@@ -19,7 +19,8 @@ record Attention(double rank, String tone, String words) {
 
     static Attention of(LiveSeat seat) {
         SeatResult.Exposure exposure = seat.latest().flatMap(SeatResult::exposure).orElse(null);
-        double share = exposure == null ? 0 : Math.min(0.99, Math.max(exposure.a8() / Directive.LIMIT.a8(), exposure.vdv() / Directive.LIMIT.vdv()) / 4);
+        double share = exposure == null ? 0
+                : Math.min(0.99, Math.max(exposure.a8() / Directive.LIMIT.a8(), exposure.vdv() / Directive.LIMIT.vdv()) / 4);
         Directive.Verdict verdict = exposure == null ? Directive.Verdict.UNKNOWN : exposure.verdict();
         if (verdict == Directive.Verdict.ABOVE_LIMIT) {
             return new Attention(6 + share, "fault", "above the limit value");
@@ -38,7 +39,8 @@ record Attention(double rank, String tone, String words) {
             return new Attention(2 + share, "warning", "above the action value");
         }
         if (exposure != null && exposure.minutesToAction() < NEAR && exposure.seconds() > 60) {
-            return new Attention(1 + share, "warning", String.format(Locale.ROOT, "action value in %.0f min", Math.max(1, exposure.minutesToAction())));
+            return new Attention(1 + share, "warning",
+                    String.format(Locale.ROOT, "action value in %.0f min", Math.max(1, exposure.minutesToAction())));
         }
         return new Attention(share, exposure == null ? "plain" : "good", "");
     }

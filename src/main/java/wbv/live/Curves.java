@@ -42,7 +42,8 @@ final class Curves implements Seat.Onlooker {
 
     void remember(SeatResult result) {
         latest = Optional.of(result);
-        Optional<SeatResult.Mode> mode = result.bodies().stream().limit(1).filter(Curves::stands).map(body -> body.modes().get(0)).findFirst();
+        Optional<SeatResult.Mode> mode = result.bodies().stream().limit(1).filter(Curves::stands).map(body -> body.modes().get(0))
+                .findFirst();
         history.accept(result.time(), value(mode, SeatResult.Mode::frequency), value(mode, SeatResult.Mode::frequencyDeviation),
                 value(mode, SeatResult.Mode::damping), value(mode, SeatResult.Mode::dampingDeviation),
                 value(result.exposure(), SeatResult.Exposure::a8), value(result.exposure(), SeatResult.Exposure::vdv),
@@ -61,7 +62,8 @@ final class Curves implements Seat.Onlooker {
     /** Whether a body's numbers may be shown: it was found, it swings, it is determined, and it explains half of what its place does. */
     static boolean stands(SeatResult.Body body) {
         SeatResult.Mode slow = body.modes().get(0);
-        EquivalentBody.Mode mode = new EquivalentBody.Mode(slow.frequency(), slow.frequencyDeviation(), slow.damping(), slow.dampingDeviation());
+        EquivalentBody.Mode mode = new EquivalentBody.Mode(slow.frequency(), slow.frequencyDeviation(), slow.damping(),
+                slow.dampingDeviation());
         return body.settled() && body.explained() >= EquivalentBody.LEAST_SHARE && mode.oscillates() && mode.determined();
     }
 

@@ -125,8 +125,10 @@ final class LiveSeat {
             channels.addAll(unknown);
             lists.add(of);
         } else if (!unknown.isEmpty()) {
-            tell(Severity.WARNING, "channels", unknown.get(0) + (unknown.size() > 1 ? " and " + (unknown.size() - 1) + " more channels" : "")
-                    + " came after the seat had begun and are not taken", "send all channels from the beginning", false);
+            tell(Severity.WARNING, "channels",
+                    unknown.get(0) + (unknown.size() > 1 ? " and " + (unknown.size() - 1) + " more channels" : "")
+                            + " came after the seat had begun and are not taken",
+                    "send all channels from the beginning", false);
         }
         return of.stream().mapToInt(channels::indexOf).toArray();
     }
@@ -173,7 +175,8 @@ final class LiveSeat {
         prepare(plan, (int) apart);
         listener.planned(this);
         if (clock.jitter() > 0) {
-            tell(Severity.WARNING, "jitter", String.format(Locale.ROOT, "times jitter by up to %.3g ms; rows are taken as even", 1e3 * clock.jitter() / 2),
+            tell(Severity.WARNING, "jitter",
+                    String.format(Locale.ROOT, "times jitter by up to %.3g ms; rows are taken as even", 1e3 * clock.jitter() / 2),
                     "send the sensor's own clock", false);
         }
         for (double[] row : early) {
@@ -250,7 +253,8 @@ final class LiveSeat {
             case RESTARTED -> {
                 restarts++;
                 packing.restart();
-                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), "the sensor's clock jumped by " + (float) (row[0] - time) + " s", "it is followed from there", false);
+                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(),
+                        "the sensor's clock jumped by " + (float) (row[0] - time) + " s", "it is followed from there", false);
                 take(row);
             }
             default -> {
@@ -296,7 +300,8 @@ final class LiveSeat {
             if (alarm.kind() == SeatAlarm.Kind.SENSOR_RESTARTED) {
                 continue; // told when its clock was seen to jump
             }
-            if (ofTheBody(alarm) && seat.plan().bodies().stream().anyMatch(body -> watch.ails(body.output().location()) || watch.ails(body.input().location()))) {
+            if (ofTheBody(alarm) && seat.plan().bodies().stream()
+                    .anyMatch(body -> watch.ails(body.output().location()) || watch.ails(body.input().location()))) {
                 continue; // a sensor that fails was told already; what an estimator makes of it is nothing of the body
             }
             Severity severity = switch (alarm.kind()) {
@@ -319,12 +324,15 @@ final class LiveSeat {
     private void judge() {
         if (!offTold && rows % 4096 == 0 && Math.abs(clock.measured() / clock.rate() - 1) > OFF) {
             offTold = true;
-            tell(Severity.WARNING, "rate", String.format(Locale.ROOT, "rows come at %.5g Hz; %.5g Hz was learned from the first", clock.measured(),
-                    clock.rate()), "say the rate by --rate, or begin anew", false);
+            tell(Severity.WARNING, "rate",
+                    String.format(Locale.ROOT, "rows come at %.5g Hz; %.5g Hz was learned from the first", clock.measured(),
+                            clock.rate()),
+                    "say the rate by --rate, or begin anew", false);
         }
         if (!missingTold && missing > 0.05 * rows && rows > 10 * clock.rate()) {
             missingTold = true;
-            tell(Severity.WARNING, "losses", String.format(Locale.ROOT, "%.0f %% of the samples are missing", 100.0 * missing / (missing + rows)),
+            tell(Severity.WARNING, "losses",
+                    String.format(Locale.ROOT, "%.0f %% of the samples are missing", 100.0 * missing / (missing + rows)),
                     "a nearer receiver or a cable avoids losses; nothing is made up for them", false);
         }
     }
@@ -333,7 +341,8 @@ final class LiveSeat {
     private void tell(Severity severity, String kind, String reason, String advice, boolean over) {
         long times = kinds.merge(kind, 1L, Long::sum);
         if (times <= OFTEN || Long.bitCount(times) == 1) {
-            listener.notice(this, time, severity, kind, times <= OFTEN ? reason : reason + " (" + times + " times up to now)", advice, over);
+            listener.notice(this, time, severity, kind, times <= OFTEN ? reason : reason + " (" + times + " times up to now)", advice,
+                    over);
         }
     }
 

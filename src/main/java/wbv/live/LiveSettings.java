@@ -22,7 +22,7 @@ import wbv.state.StateModel;
  * @param mostSeats seats that are followed; more are refused, so that names made up by a sender cannot fill the memory
  */
 public record LiveSettings(ReadOptions reading, Optional<String> columns, Method method, Optional<Channel> input, List<Channel> outputs,
-                           Optional<String> place, boolean boxcar, Optional<StateModel> states, double every, int mostSeats) {
+        Optional<String> place, boolean boxcar, Optional<StateModel> states, double every, int mostSeats) {
 
     /** Seats that one machine follows in time. */
     public static final int USUAL_SEATS = 1000;

@@ -39,7 +39,7 @@ public final class LiveStream implements LineSource.Receiver {
         void line(String text);
 
         /** All that can be told for now was told. */
-        default void flush() { }
+        default void flush() {}
     }
 
     /** The seat of rows that name none. */
@@ -147,7 +147,7 @@ public final class LiveStream implements LineSource.Receiver {
         RowLines reader = new RowLines(sender, settings.reading());
         settings.columns().ifPresent(header -> {
             byte[] named = header.getBytes(StandardCharsets.UTF_8);
-            reader.accept(named, 0, named.length, (own, channels, row) -> { });
+            reader.accept(named, 0, named.length, (own, channels, row) -> {});
         });
         senders.put(sender, reader);
         return reader;
@@ -156,7 +156,8 @@ public final class LiveStream implements LineSource.Receiver {
     @Override
     public synchronized void tooLong(String sender, byte[] start, int length) {
         lines++;
-        putAside(sender, sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0, Math.min(length, 1024));
+        putAside(sender, sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0,
+                Math.min(length, 1024));
     }
 
     @Override
@@ -227,12 +228,14 @@ public final class LiveStream implements LineSource.Receiver {
     private SeatPlan made(double rate, List<Channel> channels) {
         SeatPlan usual = SeatPlan.usual(rate, channels, settings.method(), settings.boxcar(), settings.states());
         Optional<Channel> input = settings.input().or(() -> usual.bodies().stream().map(SeatPlan.Body::input).findFirst());
-        List<Channel> outputs = settings.outputs().isEmpty() ? usual.bodies().stream().map(SeatPlan.Body::output).toList() : settings.outputs();
+        List<Channel> outputs = settings.outputs().isEmpty() ? usual.bodies().stream().map(SeatPlan.Body::output).toList()
+                : settings.outputs();
         if (!outputs.isEmpty() && input.isEmpty()) {
             throw new DataFault("nothing shakes " + outputs.get(0) + ": name an --input; there are " + channels);
         }
         List<SeatPlan.Body> bodies = outputs.stream().map(output -> body(rate, input.orElseThrow(), output)).toList();
-        Optional<String> place = settings.place().or(() -> usual.axes().values().stream().map(column -> channels.get(column).location()).findFirst());
+        Optional<String> place = settings.place()
+                .or(() -> usual.axes().values().stream().map(column -> channels.get(column).location()).findFirst());
         int interval = (int) Math.max(1, Math.round(settings.every() * rate));
         return new SeatPlan(rate, channels, bodies, place, settings.boxcar(), usual.states(), interval);
     }

@@ -196,6 +196,6 @@ public final class MqttSource implements LineSource {
         }
 
         @Override
-        public void deliveryComplete(IMqttDeliveryToken token) { }
+        public void deliveryComplete(IMqttDeliveryToken token) {}
     }
 }

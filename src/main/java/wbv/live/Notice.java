@@ -13,4 +13,4 @@ import wbv.recording.inspect.Severity;
  * @param advice   what to do about it; may be empty
  * @param over     true where it tells the end of what was told before
  */
-public record Notice(long number, String seat, double time, Severity severity, String kind, String reason, String advice, boolean over) { }
+public record Notice(long number, String seat, double time, Severity severity, String kind, String reason, String advice, boolean over) {}

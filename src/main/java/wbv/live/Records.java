@@ -11,7 +11,7 @@ import wbv.state.StateTrack;
 /** What a live stream tells, as lines of JSON; the field {@code type} says what a line is. */
 final class Records {
 
-    private Records() { }
+    private Records() {}
 
     static String begin(String source, String version) {
         return JsonLine.object(json -> json.text("type", "begin").text("source", source).text("version", version));
@@ -85,7 +85,8 @@ final class Records {
         json.nested("exposure", fields -> {
             fields.number("seconds", exposure.seconds()).number("missing_s", exposure.missing()).number("a8_m_s2", exposure.a8())
                     .number("vdv_m_s1.75", exposure.vdv()).text("verdict", exposure.verdict().words())
-                    .number("minutes_to_action_value", exposure.minutesToAction()).number("minutes_to_limit_value", exposure.minutesToLimit())
+                    .number("minutes_to_action_value", exposure.minutesToAction())
+                    .number("minutes_to_limit_value", exposure.minutesToLimit())
                     .list("axes", list -> {
                         for (SeatResult.Axis axis : exposure.axes()) {
                             list.item(each -> each.text("axis", String.valueOf(axis.axis().letter())).number("a_w_m_s2", axis.rms())

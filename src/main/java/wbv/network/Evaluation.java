@@ -29,7 +29,7 @@ public record Evaluation(Bodies bodies, List<LabelledMotion> trials, List<Row> r
      * @param unlike    share of trials that it found unlike any trained on; NaN where it does not say
      * @param estimates trial by trial, of the first of those
      */
-    public record Row(String method, List<Score> scores, double[] spread, double unlike, List<Estimate> estimates) { }
+    public record Row(String method, List<Score> scores, double[] spread, double unlike, List<Estimate> estimates) {}
 
     public Evaluation {
         rows = List.copyOf(rows);
@@ -43,7 +43,7 @@ public record Evaluation(Bodies bodies, List<LabelledMotion> trials, List<Row> r
      * @param alarms for the streaming estimators
      */
     public static Evaluation of(Bodies bodies, List<LabelledMotion> trials, List<TrainedNetwork> models, Map<String, Ridge> ridges,
-                                Supplier<? extends Alarm> alarms) {
+            Supplier<? extends Alarm> alarms) {
         Asked asked = new Asked(bodies, trials, models.get(0).scaling());
         List<Row> rows = new ArrayList<>();
         Map<String, List<List<Reading>>> readings = new LinkedHashMap<>();

@@ -40,7 +40,7 @@ final class FrequencyFit {
      * @param coloured  the same over that where there is none: 1 if noise explains what is left
      * @param moved     how far it went from the start: root mean square over targets, in the deviations known beforehand
      */
-    record Found(double[] value, double[] deviation, double left, double coloured, double moved) { }
+    record Found(double[] value, double[] deviation, double left, double coloured, double moved) {}
 
     /** Of a body that its excitation alone moves. @param modes of the body, 1 or more */
     FrequencyFit(int modes) {

@@ -7,4 +7,4 @@ package wbv.network;
  * @param truth  damping ratio and natural pulsation [rad/s] of each mode, slowest first
  * @param rig    the experiment, by which it can be made again
  */
-public record LabelledMotion(double[][] motion, double[] truth, String rig) { }
+public record LabelledMotion(double[][] motion, double[] truth, String rig) {}

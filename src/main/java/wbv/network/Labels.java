@@ -34,7 +34,7 @@ public record Labels(String file, int modes, List<Label> list) {
      * @param to        end [s]
      * @param truth     damping ratio and natural pulsation [rad/s] of each mode, slowest first
      */
-    public record Label(long line, String recording, double from, double to, double[] truth) { }
+    public record Label(long line, String recording, double from, double to, double[] truth) {}
 
     public Labels {
         list = List.copyOf(list);

@@ -27,7 +27,7 @@ final class Layers {
     private static final int GATED = 16;
     private static final int DENSE = 64;
 
-    private Layers() { }
+    private Layers() {}
 
     /**
      * A network without weights.

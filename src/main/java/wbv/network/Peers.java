@@ -21,7 +21,7 @@ public final class Peers {
     private static final double TAU = 2 * Math.PI;
     private static final int WHITTLE = 256;
 
-    private Peers() { }
+    private Peers() {}
 
     /**
      * The thesis' benchmark: refined instrumental variables, a transfer function of twice as many poles as modes.

@@ -13,7 +13,7 @@ final class PyTorch {
 
     private static final String NATIVES = "native/lib/pytorch.properties";
 
-    private PyTorch() { }
+    private PyTorch() {}
 
     /**
      * The engine; unpacks its library into DJL's cache (430 MB) when first used.

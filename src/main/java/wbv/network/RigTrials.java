@@ -12,7 +12,7 @@ import wbv.rig.RigSpec;
 /** Trials of the virtual rig. The same kind and seed give the same trials, in the same order, on any number of cores. */
 public final class RigTrials {
 
-    private RigTrials() { }
+    private RigTrials() {}
 
     /**
      * Plays trials; each has a body, an excitation and sensors of its own, so that no split divides a subject or a trial.

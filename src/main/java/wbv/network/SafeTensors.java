@@ -27,7 +27,7 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
     private static final int MOST_HEADER = 1 << 24;
 
     /** An array. @param shape row-major @param values as many as the shape says; not copied */
-    public record Tensor(long[] shape, float[] values) { }
+    public record Tensor(long[] shape, float[] values) {}
 
     /** The file's bytes. */
     public byte[] bytes() {

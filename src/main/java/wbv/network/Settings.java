@@ -17,7 +17,7 @@ package wbv.network;
  * @param seed       of everything random in training
  */
 public record Settings(int epochs, int batch, Method method, double rate, int dropPeriod, double dropFactor, double dropout,
-                       long seed) {
+        long seed) {
 
     /** How steps are taken. */
     public enum Method {

@@ -32,7 +32,7 @@ import wbv.recording.InputFile;
  * @param card         what a reader of the file should know: data, seed, split, figures, limits
  */
 public record TrainedNetwork(Architecture architecture, List<Channel> channels, int modes, Scaling scaling, double[] widening,
-                    Usual usual, List<Map<String, SafeTensors.Tensor>> members, Map<String, String> card) {
+        Usual usual, List<Map<String, SafeTensors.Tensor>> members, Map<String, String> card) {
 
     /** Goes up whenever an older reader would misread a file. */
     private static final String VERSION = "2";
@@ -115,8 +115,8 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
     }
 
     private static TrainedNetwork model(Card card, SafeTensors file) {
-        Architecture architecture = Architecture.named(card.text("architecture")).orElseThrow(() ->
-                card.fault("architecture", "must be one of " + Architecture.words()));
+        Architecture architecture = Architecture.named(card.text("architecture"))
+                .orElseThrow(() -> card.fault("architecture", "must be one of " + Architecture.words()));
         List<ImagePlane> planes = Arrays.stream(card.text("planes").split(",")).map(ImagePlane::parse).toList();
         if (!planes.equals(architecture.imaging().planes())) {
             throw DataFault.in(card.file(), "was trained on other images, " + planes + ", than this wbv makes, "

@@ -32,5 +32,5 @@ public sealed interface TrainingData permits SimulatedTrials, LabelledRecordings
     String title();
 
     /** Trials of bodies that stand on one side only. @param learned learned from @param held held back */
-    record Split(List<LabelledMotion> learned, List<LabelledMotion> held) { }
+    record Split(List<LabelledMotion> learned, List<LabelledMotion> held) {}
 }

@@ -8,7 +8,7 @@ import wbv.recording.DataFault;
 /** Arrays of the engine to and from those of a file. */
 final class Weights {
 
-    private Weights() { }
+    private Weights() {}
 
     static SafeTensors.Tensor out(NDArray array) {
         return new SafeTensors.Tensor(array.getShape().getShape(), array.toFloatArray());

@@ -15,7 +15,7 @@ public final class Attributes {
     /** All that bounds a body without a sensor: its pole, and what share of its damping acts against the base. */
     public static final List<Attribute> OF_A_BODY = List.of(Attribute.FREQUENCY, Attribute.DAMPING, Attribute.BASE_SHARE);
 
-    private Attributes() { }
+    private Attributes() {}
 
     /** Value of an attribute [Hz, 1 or rad/s]. */
     public static double of(Pole pole, Attribute attribute) {

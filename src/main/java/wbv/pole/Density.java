@@ -27,7 +27,7 @@ public final class Density {
     /** Label of a point in no cluster. */
     public static final int NOISE = -1;
 
-    private Density() { }
+    private Density() {}
 
     /**
      * DBSCAN (Ester, Kriegel, Sander and Xu 1996).

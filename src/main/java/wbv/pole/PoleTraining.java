@@ -39,7 +39,7 @@ public final class PoleTraining implements Serializable {
 
     /** A window with all its samples: poles by place, and the bodies of one mode. @param who was seen in it */
     private record Window(String who, Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles,
-            Map<Channel, SkyhookBody> bodies) implements Serializable { }
+            Map<Channel, SkyhookBody> bodies) implements Serializable {}
 
     /**
      * What was learned, and how the poles gathered.
@@ -196,8 +196,9 @@ public final class PoleTraining implements Serializable {
                     body.put(i, found);
                 }
             }
-            links.add(link(absent, PoleLink.BODY, main, mainPoles, body, Attributes.OF_A_BODY, Attributes::of).orElseThrow(() -> new DataFault(absent
-                    + " does not move like a body in enough windows; record longer, or with more motion of the base")));
+            links.add(link(absent, PoleLink.BODY, main, mainPoles, body, Attributes.OF_A_BODY, Attributes::of)
+                    .orElseThrow(() -> new DataFault(absent
+                            + " does not move like a body in enough windows; record longer, or with more motion of the base")));
             List<Integer> shared = shared(mainPoles, body);
             pairs.add(new Pairs(absent, shared.stream().map(mainPoles::get).toList(), shared.stream().map(body::get).toList()));
             bodies.put(absent, SkyhookBody.mean(body.values().stream().toList()));

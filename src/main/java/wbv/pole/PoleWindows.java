@@ -37,8 +37,9 @@ public record PoleWindows(double length, double hop, int poles) implements Seria
 
     public PoleWindows {
         if (!(length > 0 && length <= LONGEST && hop > 0 && hop <= LONGEST) || poles < 2 || poles > MOST_POLES) {
-            throw new IllegalArgumentException("window and hop must be > 0 to " + LONGEST + " s and poles 2 to " + MOST_POLES + ": " + length
-                    + ", " + hop + ", " + poles);
+            throw new IllegalArgumentException(
+                    "window and hop must be > 0 to " + LONGEST + " s and poles 2 to " + MOST_POLES + ": " + length
+                            + ", " + hop + ", " + poles);
         }
     }
 

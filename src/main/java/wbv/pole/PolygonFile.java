@@ -42,7 +42,7 @@ public final class PolygonFile {
     private static final double MOST_GAIN = 1e6;
     private static final double MOST_COEFFICIENT = 1e60;
 
-    private PolygonFile() { }
+    private PolygonFile() {}
 
     /** The file's text. @param provenance what, and from what, it was made */
     public static String text(TrainedPoles trained, Map<String, String> provenance) {
@@ -161,8 +161,10 @@ public final class PolygonFile {
                 JsonNode body = field(field(head, "mean_bodies"), absent.toString());
                 bodies.put(absent, new SkyhookBody(number(body, "frequency_Hz"), number(body, "damping"), number(body, "base_share")));
                 if (!Spec.isStart(bodies.get(absent).frequency(), bodies.get(absent).damping())) {
-                    throw DataFault.in(file, String.format(Locale.ROOT, "the mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's; "
-                            + "train them anew by 'wbv poles'", absent, bodies.get(absent).frequency(), bodies.get(absent).damping()));
+                    throw DataFault.in(file,
+                            String.format(Locale.ROOT, "the mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's; "
+                                    + "train them anew by 'wbv poles'", absent, bodies.get(absent).frequency(),
+                                    bodies.get(absent).damping()));
                 }
             }
             List<String> trials = new ArrayList<>();
@@ -190,19 +192,22 @@ public final class PolygonFile {
             return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"),
                     (int) number(windows, "poles")),
                     new PolePlane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
-                            number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane,
+                            number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")),
+                    number(plane,
                             "epsilon_spreads"),
                     outlines.get(0), typical, links.entrySet().stream()
-                    .map(entry -> new PoleLink((Channel) entry.getKey().get(0),
-                            (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(),
-                            responses, bodies, trials);
+                            .map(entry -> new PoleLink((Channel) entry.getKey().get(0),
+                                    (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue()))
+                            .toList(),
+                    responses, bodies, trials);
         }
 
         /** A response that stays within bounds whatever pole is measured: one of a body. */
         private TunedResponse sound(Channel absent, TunedResponse response) {
             for (double frequency : new double[] {PoleWindows.LEAST_FREQUENCY, PoleWindows.MOST_FREQUENCY}) {
                 if (!sound(response.at(2 * Math.PI * frequency), response.pulsation(2 * Math.PI * frequency))) {
-                    throw DataFault.in(file, "what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'");
+                    throw DataFault.in(file,
+                            "what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'");
                 }
             }
             return response;
@@ -246,8 +251,8 @@ public final class PolygonFile {
 
         private Attribute attribute(String word) {
             List<Attribute> known = Stream.concat(Attributes.OF_A_POLE.stream(), Attributes.OF_A_BODY.stream()).distinct().toList();
-            return known.stream().filter(attribute -> word(attribute).equals(word)).findFirst().orElseThrow(() ->
-                    DataFault.in(file, "'" + word + "' is no attribute of a pole or a body; there are " + known.stream()
+            return known.stream().filter(attribute -> word(attribute).equals(word)).findFirst()
+                    .orElseThrow(() -> DataFault.in(file, "'" + word + "' is no attribute of a pole or a body; there are " + known.stream()
                             .map(PolygonFile::word).toList()));
         }
 

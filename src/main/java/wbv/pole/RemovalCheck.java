@@ -20,7 +20,7 @@ import wbv.signal.FrequencyResponse;
  * @param said      as predicted
  */
 public record RemovalCheck(String name, Channel channel, int from, double error, double meanError, FrequencyResponse measured,
-                           FrequencyResponse said) {
+        FrequencyResponse said) {
 
     /** Compares, for every absent channel that the recording has after all. */
     public static List<RemovalCheck> of(TrainedPoles trained, String name, Recording recording,

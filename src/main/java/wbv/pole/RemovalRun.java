@@ -95,7 +95,7 @@ public final class RemovalRun implements Serializable {
         }
 
         @Override
-        public void reset() { }
+        public void reset() {}
     }
 
     /**

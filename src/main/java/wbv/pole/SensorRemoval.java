@@ -35,14 +35,14 @@ public final class SensorRemoval {
      * @param pole   as measured, smoothed over windows
      * @param bounds of every absent channel's body, in the order of {@link Attributes#OF_A_BODY}
      */
-    public record Seen(double time, long sample, Pole pole, Map<Channel, List<Chord>> bounds) { }
+    public record Seen(double time, long sample, Pole pole, Map<Channel, List<Chord>> bounds) {}
 
     /**
      * The body of an absent place as the constrained estimator follows it within the bounds, at all samples.
      *
      * @param frequency [Hz] @param damping ratio @param motion of that body [m/s²]
      */
-    public record Body(double[] frequency, double[] damping, double[] motion) { }
+    public record Body(double[] frequency, double[] damping, double[] motion) {}
 
     /**
      * What was predicted.

@@ -31,8 +31,8 @@ import wbv.recording.DataFault;
  */
 public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, double epsilon, ConstraintPolygon outline,
         Pole typical,
-                           List<PoleLink> links, Map<Channel, TunedResponse> responses, Map<Channel, SkyhookBody> bodies,
-                           List<String> trials) implements Serializable {
+        List<PoleLink> links, Map<Channel, TunedResponse> responses, Map<Channel, SkyhookBody> bodies,
+        List<String> trials) implements Serializable {
 
     /** Furthest that a pole may lie from the main cluster's outline to be taken for one of its [epsilons]. */
     private static final double FURTHEST = 3;
@@ -59,7 +59,7 @@ public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, 
     Optional<Pole> mainOf(List<Pole> modes) {
         Polygon polygon = polygon();
         GeometryFactory factory = polygon.getFactory();
-        record Near(Pole pole, double distance) { }
+        record Near(Pole pole, double distance) {}
         return modes.stream().map(pole -> {
             double[] at = plane.coordinates(pole);
             return new Near(pole, polygon.distance(factory.createPoint(new Coordinate(at[0], at[1]))));

@@ -10,7 +10,7 @@ import weka.core.Instances;
 /** Weka's Gaussian mixture by expectation and maximisation, beside the density clusters; it knows no noise. */
 final class WekaMixture {
 
-    private WekaMixture() { }
+    private WekaMixture() {}
 
     /**
      * A label for each point, 0, 1, … in the order of first appearance; the number of components is chosen by cross-validation.

@@ -62,7 +62,8 @@ final class Calibrating {
         if (!single) {
             return Optional.empty();
         }
-        List<Double> left = new ArrayList<>(List.of(answer.missing().get(0).left(), answer.before(), 1 + Calibration.unlisted(answer.before() - 1)));
+        List<Double> left = new ArrayList<>(
+                List.of(answer.missing().get(0).left(), answer.before(), 1 + Calibration.unlisted(answer.before() - 1)));
         answer.alternatives().forEach(rival -> left.add(rival.left()));
         boolean right = marking.mark() == Marking.Mark.RIGHT || marking.mark() == Marking.Mark.IN_SET && marking.parts() > 0
                 && answer.missing().get(0).mechanism().equals(marking.truth().concealed().get(0).mechanism());
@@ -70,7 +71,8 @@ final class Calibrating {
     }
 
     private Calibration calibration(String command, String commit) {
-        UnivariatePointValuePair best = new BrentOptimizer(1e-6, 1e-8).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE, new SearchInterval(FEWEST, MOST),
+        UnivariatePointValuePair best = new BrentOptimizer(1e-6, 1e-8).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE,
+                new SearchInterval(FEWEST, MOST),
                 new UnivariateObjectiveFunction(forms -> score(new Calibration(forms, chance, 0.5, cases.size(), 0, command, commit))));
         Calibration sharp = new Calibration(best.getPoint(), chance, 0.5, cases.size(), best.getValue(), command, commit);
         List<Case> firm = cases.stream().filter(each -> each.probability(sharp) >= FIRM).toList();

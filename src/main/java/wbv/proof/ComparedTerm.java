@@ -21,7 +21,7 @@ record ComparedTerm(Set<Factor> factors, boolean lagged) {
      * @param at link or channel, empty for the law's own link
      * @param as how it enters: itself, sign, magnitude, square, ...
      */
-    record Factor(String of, String at, String as) { }
+    record Factor(String of, String at, String as) {}
 
     ComparedTerm {
         factors = Set.copyOf(factors);

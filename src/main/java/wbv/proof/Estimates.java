@@ -8,7 +8,7 @@ import java.util.Map;
 /** Parameters that a key and an answer mean alike. */
 final class Estimates {
 
-    private Estimates() { }
+    private Estimates() {}
 
     /**
      * A value and what was found for it.

@@ -44,7 +44,8 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
         String name = diagnosis.model().links().get(place).name();
         // Values were fitted since, so a law that was there before is known by its kind.
         List<Class<?>> before = new ArrayList<>();
-        own.links().stream().filter(link -> link.name().equals(name)).flatMap(link -> link.laws().stream()).map(Law::getClass).forEach(before::add);
+        own.links().stream().filter(link -> link.name().equals(name)).flatMap(link -> link.laws().stream()).map(Law::getClass)
+                .forEach(before::add);
         Excitation excitation = Excitation.of(diagnosis.model(), recording, recording.length());
         Simulator.Response response = new Simulator(excitation).run(assembly, false);
         double[] sum = new double[excitation.samples()];
@@ -59,7 +60,9 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
         }
         double[] heldOut = diagnosis.fit().heldOut();
         return any && heldOut.length == 2 ? Optional.of(new LawForce(name, recording.clock().rate(), heldOut[0], heldOut[1],
-                Arrays.stream(sum).mapToObj(MarkdownCells::rounded).toList(), LearnedTerms.among(diagnosis.model().links().get(place).laws(),
-                        diagnosis.model().links().stream().map(Model.Link::name).toList()))) : Optional.empty();
+                Arrays.stream(sum).mapToObj(MarkdownCells::rounded).toList(),
+                LearnedTerms.among(diagnosis.model().links().get(place).laws(),
+                        diagnosis.model().links().stream().map(Model.Link::name).toList())))
+                : Optional.empty();
     }
 }

@@ -20,7 +20,7 @@ import wbv.body.number.Shape;
 /** Terms of a law that was learned, in the words of the keys. */
 final class LearnedTerms {
 
-    private LearnedTerms() { }
+    private LearnedTerms() {}
 
     /** @param links names of the model's links, in its order */
     static List<ComparedTerm> of(List<Learned> law, List<String> links) {

@@ -11,7 +11,7 @@ import java.util.function.ToDoubleFunction;
 /** Numbers as cells of a Markdown table. */
 final class MarkdownCells {
 
-    private MarkdownCells() { }
+    private MarkdownCells() {}
 
     static String row(String... cells) {
         return "| " + String.join(" | ", cells) + " |\n";

@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param parts of a pair that were found @param spurious names that are not among what was concealed
  */
 record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark mark, boolean place, boolean family, double held,
-               int parts, int spurious, double correlation) {
+        int parts, int spurious, double correlation) {
 
     /** How good an answer is. */
     enum Mark {
@@ -54,9 +54,9 @@ record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark ma
         int spurious = (int) named.stream().filter(n -> concealed.stream().noneMatch(c -> same(truth, c, n))).count();
         boolean family = !concealed.isEmpty() && named.stream().anyMatch(n -> truth.samePlace(concealed.get(0).where(), n.where())
                 && family(n.mechanism()).equals(family(concealed.get(0).mechanism())));
-        boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w ->
-                truth.samePlace(concealed.get(0).where(), w));
-        boolean none = answer.verdict().equals(ProofAnswer.FAILED) || answer.verdict().equals(ProofAnswer.REFUSED) && question.group() != Suite.Group.UNRELATED;
+        boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w -> truth.samePlace(concealed.get(0).where(), w));
+        boolean none = answer.verdict().equals(ProofAnswer.FAILED)
+                || answer.verdict().equals(ProofAnswer.REFUSED) && question.group() != Suite.Group.UNRELATED;
         Mark mark = none ? Mark.FAILED : switch (question.kind()) {
             // Whatever is named, in whatever words, is wrong.
             case UNRELATED -> silent(answer) ? Mark.SILENT : answer.missing().isEmpty() ? Mark.RIGHT : Mark.WRONG;
@@ -89,8 +89,7 @@ record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark ma
         if (parts == wanted && spurious == 0) {
             return Mark.RIGHT;
         }
-        boolean mechanism = wanted == 1 && named.stream().anyMatch(n ->
-                n.mechanism().equals(truth.concealed().get(0).mechanism()));
+        boolean mechanism = wanted == 1 && named.stream().anyMatch(n -> n.mechanism().equals(truth.concealed().get(0).mechanism()));
         return mechanism && parts == 0 ? Mark.ELSEWHERE : Mark.WRONG;
     }
 
@@ -106,12 +105,14 @@ record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark ma
 
     /** Whether the answer's law has the terms of the one that was concealed; empty where one of them does not say. */
     Optional<Boolean> terms() {
-        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> ComparedTerm.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
+        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> ComparedTerm.same(truth.concealed().get(0).law(), f.terms()))
+                : Optional.empty();
     }
 
     /** What an answer claims of the library; a refusal claims nothing, and what was learned is not of it. */
     private static List<ProofAnswer.Name> named(ProofAnswer answer) {
-        return refused(answer) ? List.of() : answer.missing().stream().filter(name -> !name.mechanism().equals(ProofAnswer.LEARNED)).toList();
+        return refused(answer) ? List.of()
+                : answer.missing().stream().filter(name -> !name.mechanism().equals(ProofAnswer.LEARNED)).toList();
     }
 
     /** The place an answer points to: of its first name, or of the best latent signal, or of the best rival. */
@@ -146,7 +147,8 @@ record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark ma
 
     /** Called in no library, with a law that was learned at a place. */
     static boolean learned(ProofAnswer answer) {
-        return answer.verdict().equals(ProofAnswer.LEARNED_LAW) && answer.missing().stream().limit(1).anyMatch(n -> n.mechanism().equals(ProofAnswer.LEARNED));
+        return answer.verdict().equals(ProofAnswer.LEARNED_LAW)
+                && answer.missing().stream().limit(1).anyMatch(n -> n.mechanism().equals(ProofAnswer.LEARNED));
     }
 
     static String family(String mechanism) {

@@ -21,7 +21,7 @@ import wbv.diagnosis.Diagnosis;
  */
 record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
         double after,
-              double heldBefore, double heldAfter, double seconds, Optional<LawForce> force) {
+        double heldBefore, double heldAfter, double seconds, Optional<LawForce> force) {
 
     static final String FAILED = "failed";
     /** The data were refused, in the words of the sentence, before anything was diagnosed. */
@@ -39,11 +39,12 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
      * @param left mean square of the whitened residual with it; NaN where the answer does not say
      */
     record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,
-            Map<String, Double> high, double left) { }
+            Map<String, Double> high, double left) {}
 
     /** One that adds no force to a link. */
-    ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
-           double heldBefore, double heldAfter, double seconds) {
+    ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
+            double after,
+            double heldBefore, double heldAfter, double seconds) {
         this(verdict, sentence, missing, alternatives, latent, before, after, heldBefore, heldAfter, seconds, Optional.empty());
     }
 
@@ -124,7 +125,8 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
         List<Name> out = new ArrayList<>();
         for (JsonNode one : array) {
             out.add(new Name(one.get("mechanism").asText(), one.get("where").asText(), number(one.get("probability")),
-                    numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high")), one.has("left") ? number(one.get("left")) : Double.NaN));
+                    numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high")),
+                    one.has("left") ? number(one.get("left")) : Double.NaN));
         }
         return out;
     }

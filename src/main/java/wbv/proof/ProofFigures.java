@@ -97,7 +97,8 @@ final class ProofFigures {
         }
         List<Marking> forces = where(open, m -> m.question().spec().hasForce());
         if (!forces.isEmpty()) {
-            line(name + ": not in the library, force correlated with the concealed one by 0.95 or more", forces, m -> m.correlation() >= ALIKE);
+            line(name + ": not in the library, force correlated with the concealed one by 0.95 or more", forces,
+                    m -> m.correlation() >= ALIKE);
         }
         line(name + ": refused or no answer", of, m -> m.mark() == Mark.FAILED);
     }
@@ -154,7 +155,8 @@ final class ProofFigures {
                 where(open, m -> m.answer().heldBefore() >= UNLISTED), m -> m.mark() == Mark.RIGHT);
         line("open laws: a law was learned", open, m -> Marking.learned(m.answer()));
         line("open laws: right place", open, Marking::place);
-        out.append(row("open laws: held-out excess removed, median", MarkdownCells.median(open, m -> 100 * m.removed()) + " %", String.valueOf(open.size())));
+        out.append(row("open laws: held-out excess removed, median", MarkdownCells.median(open, m -> 100 * m.removed()) + " %",
+                String.valueOf(open.size())));
         line("open laws: 90 % or more of the held-out excess removed", open, m -> m.removed() >= MOST_REMOVED);
         line("open laws: force correlated with the concealed one by 0.95 or more", open, m -> m.correlation() >= ALIKE);
         line("open laws: held under a name of the library at 0.8 or more", open, m -> m.held() >= SURE);

@@ -15,7 +15,7 @@ public final class SealedCase {
     /** Under which the keys that come with wbv are sealed: against reading by accident, not against reading. */
     public static final String PASSWORD = "I have diagnosed it first";
 
-    private SealedCase() { }
+    private SealedCase() {}
 
     /**
      * The key of a case.

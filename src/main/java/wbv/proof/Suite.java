@@ -58,18 +58,22 @@ public record Suite(List<Question> questions) {
     private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter", "open.slosh");
     /** What follows the platform's rotation. */
     private static final Set<String> OF_ROTATION = Set.of("coupling.rotation", "open.damping.tilt");
-    private static final List<String> RIG = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
-            "contact.bumpstop", "contact.backlash", "sensor.delay", "sensor.gain", "sensor.ac-coupled", "sensor.clipping");
-    private static final List<String> RIG_OPEN = List.of("open.damping.rebound", "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy",
-            "open.damping.travel", "open.friction.wedge");
-    private static final List<String> PLANAR = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric", "damping.quadratic",
+    private static final List<
+            String> RIG = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
+                    "contact.bumpstop", "contact.backlash", "sensor.delay", "sensor.gain", "sensor.ac-coupled", "sensor.clipping");
+    private static final List<
+            String> RIG_OPEN = List.of("open.damping.rebound", "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy",
+                    "open.damping.travel", "open.friction.wedge");
+    private static final List<String> PLANAR = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric",
+            "damping.quadratic",
             "friction.coulomb", "hysteresis", "contact.bumpstop", "contact.loss", "sensor.delay", "sensor.mount", "sensor.misalignment");
     /** What joints have; what a sensor's channels have in common no single one of them says. */
     private static final List<String> JOINTED = PLANAR.stream().filter(word -> !word.startsWith("sensor.")).toList();
     private static final List<String> PLANAR_OPEN = List.of("open.damping.rebound", "open.damping.travel", "open.friction.wedge");
     /** What a level changes. */
-    private static final List<String> LEVELS = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
-            "contact.bumpstop", "contact.backlash");
+    private static final List<
+            String> LEVELS = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
+                    "contact.bumpstop", "contact.backlash");
     /** Of each of the three, with exact values, and as many with wrong ones. */
     private static final int MIXED_NULLS = 4;
     private static final double FIELD = 0.3;
@@ -118,7 +122,8 @@ public record Suite(List<Question> questions) {
         }
         RIG_OPEN.forEach(word -> draft.add(Group.RIG, List.of(word), 1, Setting.BENCH, false));
         PLANAR_OPEN.forEach(word -> draft.add(Group.PLANAR, List.of(word), 1, Setting.PLANAR, false));
-        LEVELS.forEach(word -> List.of(Setting.BENCH_LEVELS, Setting.RIDE_LEVELS).forEach(setting -> draft.add(Group.LEVELS, List.of(word), 1, setting, false)));
+        LEVELS.forEach(word -> List.of(Setting.BENCH_LEVELS, Setting.RIDE_LEVELS)
+                .forEach(setting -> draft.add(Group.LEVELS, List.of(word), 1, setting, false)));
         for (boolean exact : List.of(true, false)) {
             for (int i = 0; i < MIXED_NULLS; i++) {
                 draft.add(Group.RIG, List.of(), 1, Setting.BENCH, exact);

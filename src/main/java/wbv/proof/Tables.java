@@ -45,7 +45,8 @@ public final class Tables {
             return origin() + summary() + failures();
         }
         boolean sitters = all.isEmpty() || all.stream().anyMatch(m -> !m.question().group().isMixed());
-        return origin() + summary() + mixed() + (sitters ? mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures() : "");
+        return origin() + summary() + mixed()
+                + (sitters ? mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures() : "");
     }
 
     /** The figures that matter, as Markdown. */
@@ -63,16 +64,15 @@ public final class Tables {
                 "wrong", "unknown",
                 "silent", "place", "linear χ²", "held-out χ² before → after", "excess removed"));
         for (double strength : new double[] {1, 0.3, 0.1}) {
-            Map<String, List<Marking>> by = new TreeMap<>(where(group(Group.LISTED), m ->
-                    m.truth().strength() == strength).stream()
+            Map<String, List<Marking>> by = new TreeMap<>(where(group(Group.LISTED), m -> m.truth().strength() == strength).stream()
                     .collect(Collectors.groupingBy(m -> m.truth().concealed().get(0).mechanism())));
             by.forEach((mechanism, cases) -> {
                 List<Marking> right = where(cases, m -> m.mark() == Mark.RIGHT);
                 out.append(row(mechanism + " × " + plain(strength), String.valueOf(cases.size()), count(cases, Mark.RIGHT),
                         count(cases, Mark.IN_SET), count(cases, Mark.ELSEWHERE), count(cases, Mark.WRONG), count(cases,
-                        Mark.UNKNOWN),
-                        count(cases, Mark.SILENT), String.valueOf(where(cases, Marking::place).size()), median(cases, m ->
-                        m.truth().linear()),
+                                Mark.UNKNOWN),
+                        count(cases, Mark.SILENT), String.valueOf(where(cases, Marking::place).size()),
+                        median(cases, m -> m.truth().linear()),
                         median(cases, m -> m.answer().heldBefore()) + " → " + median(cases, m -> m.answer().heldAfter()),
                         right.isEmpty() ? "" : median(right, m -> 100 * m.removed()) + " %"));
             });
@@ -125,9 +125,12 @@ public final class Tables {
         StringBuilder out = new StringBuilder(head("Open laws", "concealed", "answered", "mark", "place", "linear χ²", "excess removed",
                 "correlation of the force", "right terms"));
         for (Marking m : group(Group.OPEN)) {
-            out.append(row(m.question().spec().words().get(0) + " × " + plain(m.truth().strength()) + " at " + m.truth().concealed().get(0).where(),
+            out.append(row(
+                    m.question().spec().words().get(0) + " × " + plain(m.truth().strength()) + " at "
+                            + m.truth().concealed().get(0).where(),
                     said(m), m.mark().name().toLowerCase(Locale.ROOT), m.place() ? "yes" : "no", number(m.truth().linear()),
-                    Double.isFinite(m.removed()) ? number(100 * m.removed()) + " %" : "", Double.isFinite(m.correlation()) ? number(m.correlation()) : "",
+                    Double.isFinite(m.removed()) ? number(100 * m.removed()) + " %" : "",
+                    Double.isFinite(m.correlation()) ? number(m.correlation()) : "",
                     m.terms().map(right -> right ? "yes" : "no").orElse("")));
         }
         return out.append('\n').toString();
@@ -141,8 +144,10 @@ public final class Tables {
                 out.append(head("Every " + group.name().toLowerCase(Locale.ROOT) + " case", "case", "concealed", "answered", "mark",
                         "place", "linear χ²", "seconds"));
                 for (Marking m : group(group)) {
-                    out.append(row(m.question().id(), concealed(m) + ", " + m.truth().setting(), said(m), m.mark().name().toLowerCase(Locale.ROOT),
-                            m.truth().concealed().isEmpty() ? "" : m.place() ? "yes" : "no", number(m.truth().linear()), number(m.answer().seconds())));
+                    out.append(row(m.question().id(), concealed(m) + ", " + m.truth().setting(), said(m),
+                            m.mark().name().toLowerCase(Locale.ROOT),
+                            m.truth().concealed().isEmpty() ? "" : m.place() ? "yes" : "no", number(m.truth().linear()),
+                            number(m.answer().seconds())));
                 }
                 out.append('\n');
             }
@@ -152,8 +157,11 @@ public final class Tables {
 
     private static String concealed(Marking m) {
         return m.question().group() == Group.UNRELATED ? m.question().spec().words().get(0)
-                : m.truth().concealed().isEmpty() ? m.question().group().isMixed() ? m.question().spec().exact() ? "nothing, values exact" : "nothing, values off" : "nothing"
-                : m.truth().concealed().stream().map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
+                : m.truth().concealed().isEmpty()
+                        ? m.question().group().isMixed() ? m.question().spec().exact() ? "nothing, values exact" : "nothing, values off"
+                                : "nothing"
+                        : m.truth().concealed().stream().map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")")
+                                .collect(Collectors.joining(" + "));
     }
 
     private String calibration() {
@@ -176,8 +184,7 @@ public final class Tables {
         for (Marking m : where(group(Group.LISTED), m -> m.mark() == Mark.RIGHT)) {
             Truth.Concealed truth = m.truth().concealed().get(0);
             ProofAnswer.Name name = m.answer().missing().get(0);
-            Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k ->
-                    new ArrayList<>())
+            Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k -> new ArrayList<>())
                     .add(new double[] {Math.abs(e.found() / e.truth() - 1), e.covers() ? 1 : 0}));
         }
         StringBuilder out = new StringBuilder(head("Parameters", "parameter", "answers", "median error", "worst", "inside the interval"));
@@ -224,11 +231,11 @@ public final class Tables {
             ObjectNode one = cases.addObject();
             one.put("case", m.question().id()).put("group", m.question().group().name().toLowerCase(Locale.ROOT))
                     .put("setting", m.truth().setting()).put("strength", m.truth().strength()).put("linear_chi2",
-                    m.truth().linear())
+                            m.truth().linear())
                     .put("mark", m.mark().name().toLowerCase(Locale.ROOT)).put("place", m.place()).put("held", m.held())
                     .put("verdict", m.answer().verdict()).put("before", m.answer().before()).put("after", m.answer().after())
                     .put("held_before", m.answer().heldBefore()).put("held_after", m.answer().heldAfter()).put("seconds",
-                    m.answer().seconds());
+                            m.answer().seconds());
             if (m.question().kind() == Group.OPEN) {
                 one.put("law", m.question().spec().words().get(0)).put("removed", m.removed()).put("correlation", m.correlation());
                 m.terms().ifPresent(right -> one.put("right_terms", right));

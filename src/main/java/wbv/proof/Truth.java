@@ -43,7 +43,8 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         List<Concealed> concealed = new ArrayList<>();
         for (JsonNode one : root.get("mechanisms")) {
             concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
-                    ProofAnswer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN), ComparedTerm.parse(one.path("law"))));
+                    ProofAnswer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN),
+                    ComparedTerm.parse(one.path("law"))));
         }
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
                 root.get("linear_chi2").asDouble(),
@@ -71,7 +72,8 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
     }
 
     private static Set<String> plain(String where) {
-        return Arrays.stream(where.split("-")).map(end -> end.replaceAll("\\..*", "")).map(place -> place.equals("torso") ? "sternum" : place).collect(Collectors.toSet());
+        return Arrays.stream(where.split("-")).map(end -> end.replaceAll("\\..*", ""))
+                .map(place -> place.equals("torso") ? "sternum" : place).collect(Collectors.toSet());
     }
 
     private boolean atBase(String where) {

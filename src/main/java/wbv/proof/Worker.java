@@ -35,7 +35,7 @@ public final class Worker {
 
     private static final Channel DRIVER = Channel.parse("platform.acc.z");
 
-    private Worker() { }
+    private Worker() {}
 
     public static void main(String[] none) throws IOException {
         // Nobody reads the answers of one whose asker is gone.
@@ -54,7 +54,8 @@ public final class Worker {
 
     /** The recording held against a user's own simulator, of which only what it gave is known. */
     private static ProofAnswer beside(Recording recorded, Recording simulation, long start) {
-        Surrogate.Examined examined = Surrogate.examine(recorded, simulation, "the simulation", DRIVER, OptionalDouble.empty(), false, (step, share) -> { });
+        Surrogate.Examined examined = Surrogate.examine(recorded, simulation, "the simulation", DRIVER, OptionalDouble.empty(), false,
+                (step, share) -> {});
         double seconds = (System.nanoTime() - start) / 1e9;
         return ProofAnswer.of(examined.diagnosed().diagnosis(), seconds,
                 LawForce.of(examined.diagnosed().diagnosis(), examined.surrogate().model(), examined.surrogate().recording()));
@@ -62,7 +63,7 @@ public final class Worker {
 
     private static ProofAnswer of(Model own, Rides rides, long start) {
         Question question = Question.of(own, rides.recording()).proved(rides.provedFrom());
-        Diagnosis diagnosis = Diagnoser.diagnose(question, (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(question, (step, share) -> {});
         double seconds = (System.nanoTime() - start) / 1e9;
         return ProofAnswer.of(diagnosis, seconds, LawForce.of(diagnosis, own, rides.recording()));
     }

@@ -17,7 +17,7 @@ public final class Decimal {
     private static final int MOST_DIGITS = 18;
     private static final int EXPONENT_LIMIT = 100_000;
 
-    private Decimal() { }
+    private Decimal() {}
 
     /**
      * The number that the bytes {@code from} to {@code to} (exclusive) spell. They are not modified.

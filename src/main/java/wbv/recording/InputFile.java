@@ -13,7 +13,7 @@ import java.nio.file.Path;
 /** A file that is read whole: a model, a map, a key. Recordings are streams and are not read so. */
 public final class InputFile {
 
-    private InputFile() { }
+    private InputFile() {}
 
     /**
      * Its bytes.

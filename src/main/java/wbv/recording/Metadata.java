@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
  * @param notes        anything else, by name: firmware, filter profile, seed
  */
 public record Metadata(OptionalDouble rate, Map<String, String> serials, Optional<Subject> subject, Optional<String> task,
-                       OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes) {
+        OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes) {
 
     /** Nothing known. */
     public static final Metadata NONE = new Metadata(OptionalDouble.empty(), Map.of(), Optional.empty(), Optional.empty(),
@@ -51,5 +51,5 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
     }
 
     /** The sitter. @param mass [kg] @param height [m] @param age [years] @param sex as stated; all may be empty */
-    public record Subject(OptionalDouble mass, OptionalDouble height, OptionalDouble age, Optional<String> sex) { }
+    public record Subject(OptionalDouble mass, OptionalDouble height, OptionalDouble age, Optional<String> sex) {}
 }

@@ -11,7 +11,7 @@ public final class OneLine {
     /** Letters of the longest line. */
     static final int LONGEST = 1500;
 
-    private OneLine() { }
+    private OneLine() {}
 
     /** The text as one line. */
     public static String of(String text) {

@@ -21,7 +21,7 @@ final class PowersOfTen {
         }
     }
 
-    private PowersOfTen() { }
+    private PowersOfTen() {}
 
     /** The leading 128 bits of 5^power, rounded down, but up where power is negative. */
     private static BigInteger significant(int power) {

@@ -17,7 +17,7 @@ public final class Provenance {
 
     private static final String SERIAL = "serial of ";
 
-    private Provenance() { }
+    private Provenance() {}
 
     /** The lines, without a comment mark. None holds a line break. */
     public static List<String> lines(Metadata metadata) {

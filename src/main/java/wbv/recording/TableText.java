@@ -12,7 +12,7 @@ public final class TableText {
     private static final Pattern PIECE = Pattern.compile("[^,;\t]+");
     private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d++\\.?\\d*+|\\.\\d++)([eE][-+]?\\d++)?");
 
-    private TableText() { }
+    private TableText() {}
 
     /** A cell; in quotes where a comma, a quote or a line break is in it. Control characters become spaces. */
     public static String cell(String text) {

@@ -9,7 +9,7 @@ public final class Digits {
 
     private static final String SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-    private Digits() { }
+    private Digits() {}
 
     /** At most so many significant digits, without zeros at the end; with a power of ten below 0.0001 and from 10 million on. */
     public static String significant(double value, int digits) {

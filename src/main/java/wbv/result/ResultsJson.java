@@ -26,7 +26,7 @@ public final class ResultsJson {
 
     private static final ObjectWriter WRITER = writer();
 
-    private ResultsJson() { }
+    private ResultsJson() {}
 
     /** The JSON text, ending with a line feed. */
     public static String render(Object results) throws IOException {
@@ -50,8 +50,8 @@ public final class ResultsJson {
             json.writeEndArray();
         }));
         numbers.addSerializer(OptionalDouble.class, serializer((value, json, all) -> number(value.orElse(Double.NaN), json)));
-        numbers.addSerializer(Optional.class, serializer((value, json, all) ->
-                all.defaultSerializeValue(value.isPresent() ? value.get() : null, json)));
+        numbers.addSerializer(Optional.class,
+                serializer((value, json, all) -> all.defaultSerializeValue(value.isPresent() ? value.get() : null, json)));
         DefaultIndenter lines = new DefaultIndenter("  ", "\n");
         return JsonMapper.builder().addModule(numbers).enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS).build()
                 .writer(new DefaultPrettyPrinter().withObjectIndenter(lines));

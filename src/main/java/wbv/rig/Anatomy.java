@@ -30,7 +30,7 @@ final class Anatomy {
      *
      * @param share of body mass @param x @param y @param z its centre [m] @param gyration radius of gyration, any axis [m]
      */
-    record Body(String name, double share, double x, double y, double z, double gyration) { }
+    record Body(String name, double share, double x, double y, double z, double gyration) {}
 
     /**
      * A link from a body to the one it carries.
@@ -38,10 +38,10 @@ final class Anatomy {
      * @param x         point of attachment [m]; where axes are not coupled, this and the x of every body are taken as 0
      * @param frequency along x, y, z and about x, y, z [Hz] @param zeta damping ratios in the same order
      */
-    record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) { }
+    record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) {}
 
     /** Where a sensor sits. @param name of the place @param body @param r from the body's centre [m] */
-    record Mount(String name, int body, double[] r) { }
+    record Mount(String name, int body, double[] r) {}
 
     private static final double ARM = 0.18;
     /** Height of the seat pan [m]: what is above grows with stature. */

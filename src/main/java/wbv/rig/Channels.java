@@ -10,7 +10,7 @@ import wbv.recording.Quantity;
 /** The channels of a recording as a rig's spec writes them. */
 final class Channels {
 
-    private Channels() { }
+    private Channels() {}
 
     /** What is recorded when nothing is said: the vertical of a linear sitter, everything of a person. */
     static List<Channel> usual(Sitter sitter, boolean gravity) {

@@ -42,7 +42,7 @@ final class LinearPlant implements Plant {
     }
 
     private LinearPlant(List<String> places, double[] mass, double[] stiffness, double[] damping, Optional<Sitter.Step> change,
-                        double crossX, double crossY, double h, double start) {
+            double crossX, double crossY, double h, double start) {
         this.mass = mass;
         this.stiffness = stiffness;
         this.damping = damping;

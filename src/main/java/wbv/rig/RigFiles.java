@@ -9,7 +9,7 @@ import wbv.recording.format.RecordingWriter;
 /** Writes experiments to files: the recording, and the truth beside it. */
 public final class RigFiles {
 
-    private RigFiles() { }
+    private RigFiles() {}
 
     /**
      * Plays an experiment into {@code name.arff} (or {@code .csv}, {@code .csv.gz}) with {@code name.truth.json} and

@@ -74,8 +74,9 @@ public final class RigRun implements RowReader {
     @Override
     public Metadata metadata() {
         Optional<Metadata.Subject> subject = spec.sitter() instanceof Sitter.Person person
-                ? Optional.of(new Metadata.Subject(OptionalDouble.of(person.subject().mass()), OptionalDouble.of(person.subject().stature()),
-                        OptionalDouble.empty(), Optional.empty()))
+                ? Optional
+                        .of(new Metadata.Subject(OptionalDouble.of(person.subject().mass()), OptionalDouble.of(person.subject().stature()),
+                                OptionalDouble.empty(), Optional.empty()))
                 : Optional.empty();
         return new Metadata(OptionalDouble.of(spec.rate()), Map.of(), subject, Optional.of("simulated: " + spec.program()),
                 OptionalDouble.empty(), Optional.of(SOURCE), Map.of("rig", spec.toString()));
@@ -102,7 +103,7 @@ public final class RigRun implements RowReader {
 
     /** Nothing to close. */
     @Override
-    public void close() { }
+    public void close() {}
 
     /** Names of the true parameters of the sitter, such as {@code zeta} and {@code omega} (natural, undamped, rad/s). */
     public List<String> parameters() {

@@ -33,7 +33,7 @@ import wbv.rig.platform.SpecNumbers;
  *                 {@code force} of the seat
  */
 public record RigSpec(Sitter sitter, Program program, long seed, double rate, AntiAlias filter, double noise, Effects effects,
-                      List<Channel> channels) {
+        List<Channel> channels) {
 
     /** Inner rate of platform, sitter and sensors [Hz]. */
     public static final double INNER_RATE = 1000;

@@ -31,7 +31,7 @@ public final class Seat implements Snapshot {
     private final Optional<StateFollower> states;
     private final double[] row;
     private final List<SeatAlarm> alarms = new ArrayList<>();
-    private Onlooker onlooker = (at, body, input, output, track) -> { };
+    private Onlooker onlooker = (at, body, input, output, track) -> {};
     private double time = Double.NaN;
     private long samples;
     private long packets;

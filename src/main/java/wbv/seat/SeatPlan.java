@@ -43,7 +43,7 @@ public final class SeatPlan {
     private final int interval;
 
     /** A body to follow. @param input channel that shakes it @param output channel of its motion */
-    public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) { }
+    public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) {}
 
     /**
      * Looks for everything that is needed among the channels.
@@ -58,7 +58,7 @@ public final class SeatPlan {
      * @throws DataFault if a channel that is needed is not there, or the rate is too low for exposure or not the model's
      */
     public SeatPlan(double rate, List<Channel> channels, List<Body> bodies, Optional<String> place, boolean boxcar,
-                    Optional<StateModel> states, int interval) {
+            Optional<StateModel> states, int interval) {
         if (!(rate > 0) || interval < 1) {
             throw new IllegalArgumentException("rate must be > 0 Hz and the interval >= 1 sample: " + rate + ", " + interval);
         }
@@ -114,7 +114,7 @@ public final class SeatPlan {
 
     /** The same with results every so many samples. */
     public static SeatPlan usual(double rate, List<Channel> channels, Method method, boolean boxcar, Optional<StateModel> states,
-                                 int interval) {
+            int interval) {
         List<Body> bodies = new ArrayList<>();
         Optional<Channel> input = vertical(BASES, channels);
         Optional<Channel> output = vertical(FOLLOWED, channels.stream().filter(each -> !input.equals(Optional.of(each))).toList());
@@ -209,8 +209,9 @@ public final class SeatPlan {
                 + states.map(model -> " states " + model.trials() + " " + model.chain().states() + " "
                         + model.thresholds() + " " + model.error() + " " + Arrays.hashCode(model.chain().initial()) + " "
                         + Arrays.deepHashCode(model.chain().transition()) + " " + model.chain().emissions().stream()
-                        .flatMap(mixture -> mixture.components().stream()).map(each -> Arrays.hashCode(each.mean())).toList()
-                        .hashCode()).orElse("");
+                                .flatMap(mixture -> mixture.components().stream()).map(each -> Arrays.hashCode(each.mean())).toList()
+                                .hashCode())
+                        .orElse("");
     }
 
     /** The channels that something is done with, in the order of the packets. */

@@ -20,7 +20,7 @@ import wbv.state.MotionState;
  * @param alarms   since the result before
  */
 public record SeatResult(String seat, double time, long sample, List<Body> bodies, Optional<Exposure> exposure,
-                         Optional<State> state, Losses losses, List<SeatAlarm> alarms) {
+        Optional<State> state, Losses losses, List<SeatAlarm> alarms) {
 
     public SeatResult {
         bodies = List.copyOf(bodies);
@@ -44,7 +44,7 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
     }
 
     /** Natural frequency [Hz] and damping ratio [1] with their standard deviations. */
-    public record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) { }
+    public record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
     /**
      * Exposure of the shift so far.
@@ -60,7 +60,7 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      * @param minutesToLimit  likewise for the limit value
      */
     public record Exposure(double since, double seconds, double missing, List<Axis> axes, double a8, double vdv,
-                           double minutesToAction, double minutesToLimit) {
+            double minutesToAction, double minutesToLimit) {
 
         public Exposure {
             axes = List.copyOf(axes);
@@ -82,7 +82,7 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      * @param a8      of the time measured, with k [m/s²]
      * @param vdv     of the time measured, with k [m/s^1.75]
      */
-    public record Axis(SeatAxis axis, double rms, double running, double a8, double vdv) { }
+    public record Axis(SeatAxis axis, double rms, double running, double a8, double vdv) {}
 
     /**
      * What the person does.
@@ -112,5 +112,5 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      * @param restarts  of the sensor's counter or clock
      */
     public record Losses(long packets, long reordered, long twice, long late, long lost, long refused, long samples, long missing,
-                         long restarts) { }
+            long restarts) {}
 }

@@ -6,7 +6,7 @@ final class Gravity {
     /** Standard acceleration of free fall [m/s²]. */
     static final double STANDARD = 9.80665;
 
-    private Gravity() { }
+    private Gravity() {}
 
     /**
      * Free acceleration in the world from the specific force that a sensor reads: {@code R f - (0, 0, g)} (thesis Eq. 2-31, 2-32

@@ -16,7 +16,7 @@ public final class Orientation implements Serializable {
     private double z;
 
     /** Both frames alike. */
-    public Orientation() { }
+    public Orientation() {}
 
     /** As a quaternion with its real part first, of any length but 0. @throws IllegalArgumentException if it is none */
     public static Orientation of(double w, double x, double y, double z) {
@@ -33,7 +33,7 @@ public final class Orientation implements Serializable {
         double[] cross = Vectors.cross(a, b);
         if (dot < -1 + 1e-12) {   // half a turn, about any axis across
             double[] across = Vectors.unit(Vectors.cross(a, Math.abs(a[0]) < 0.7 ? new double[] {1, 0, 0} : new double[] {0, 1,
-            0}));
+                0}));
             return of(0, across[0], across[1], across[2]);
         }
         return of(1 + dot, cross[0], cross[1], cross[2]);

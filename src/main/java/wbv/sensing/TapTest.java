@@ -27,7 +27,7 @@ public final class TapTest implements ParametricUnivariateFunction {
     private static final double HIGHEST = 0.4;
     private static final double FAINT = 0.05;
 
-    private TapTest() { }
+    private TapTest() {}
 
     /**
      * What a tap shows.
@@ -36,7 +36,7 @@ public final class TapTest implements ParametricUnivariateFunction {
      * @param frequencyDeviation standard deviation of the frequency [Hz] @param dampingDeviation that of the damping ratio
      * @param unexplained        rms of what the fit leaves over that of the ringing
      */
-    public record Rung(SkinMount mount, double frequencyDeviation, double dampingDeviation, double unexplained) { }
+    public record Rung(SkinMount mount, double frequencyDeviation, double dampingDeviation, double unexplained) {}
 
     /**
      * Fits the ringing after the greatest sample of a record.
@@ -82,7 +82,8 @@ public final class TapTest implements ParametricUnivariateFunction {
         if (!(damping < 1) || frequency > HIGHEST * rate) {
             throw new DataFault(String.format(Locale.ROOT,
                     "the tap shows %.3g Hz with a damping ratio of %.2g, which %.4g samples a "
-                    + "second cannot: below %.3g Hz and 1 would be right", frequency, damping, rate, HIGHEST * rate));
+                            + "second cannot: below %.3g Hz and 1 would be right",
+                    frequency, damping, rate, HIGHEST * rate));
         }
         double variance = best.getCost() * best.getCost() / Math.max(1, length - 5);
         RealMatrix covariance = best.getCovariances(1e-14);

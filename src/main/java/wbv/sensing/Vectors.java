@@ -3,7 +3,7 @@ package wbv.sensing;
 /** Arithmetic of three-vectors. */
 final class Vectors {
 
-    private Vectors() { }
+    private Vectors() {}
 
     static double dot(double[] a, double[] b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -81,7 +81,8 @@ public final class BandlimitedResampler implements Snapshot {
             throw new IllegalArgumentException("a rate is raised by a whole number >= 1: " + up);
         }
         if (!(passband > 0 && passband < stopband && stopband < 1)) {
-            throw new IllegalArgumentException("pass band must be above 0 and below the stop band, that below 1: " + passband + ", " + stopband);
+            throw new IllegalArgumentException(
+                    "pass band must be above 0 and below the stop band, that below 1: " + passband + ", " + stopband);
         }
         if (!(attenuation >= 30 && attenuation <= 160)) {
             throw new IllegalArgumentException("attenuation must be 30 to 160 dB: " + attenuation);

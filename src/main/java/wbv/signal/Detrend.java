@@ -5,7 +5,7 @@ public enum Detrend {
     /** Nothing. */
     NONE {
         @Override
-        void apply(double[] segment) { }
+        void apply(double[] segment) {}
     },
     /** The segment's mean. */
     MEAN {

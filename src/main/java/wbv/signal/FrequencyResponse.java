@@ -25,8 +25,8 @@ import java.util.Arrays;
  * @param averages      n_d, number of independent averages
  */
 public record FrequencyResponse(double[] frequency, double[] inputDensity, double[] outputDensity, ComplexSeries h1,
-                                ComplexSeries h2, ComplexSeries hv, double[] coherence, double[] error, Backing[] backing,
-                                double averages) {
+        ComplexSeries h2, ComplexSeries hv, double[] coherence, double[] error, Backing[] backing,
+        double averages) {
 
     /** Where the response may be used. */
     public boolean[] usable() {
@@ -68,7 +68,7 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
 
     /** Hv of one input: root of H1 H2. Thesis: Eq. 2-24, 2-25. */
     static FrequencyResponse of(double[] frequency, double[] xx, double[] yy, ComplexSeries yx, double averages,
-                                int firstBin, Excited excited) {
+            int firstBin, Excited excited) {
         int bins = frequency.length;
         ComplexSeries h1 = new ComplexSeries(new double[bins], new double[bins]);
         ComplexSeries h2 = new ComplexSeries(new double[bins], new double[bins]);

@@ -3,7 +3,7 @@ package wbv.signal;
 /** Sums of numbers that are given as logarithms. */
 public final class LogSum {
 
-    private LogSum() { }
+    private LogSum() {}
 
     /** ln Σ exp(a_i) of the first so many; -∞ if all are. @param a not modified */
     public static double of(double[] a, int count) {

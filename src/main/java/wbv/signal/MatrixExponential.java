@@ -8,7 +8,7 @@ public final class MatrixExponential {
 
     private static final int TERMS = 24;
 
-    private MatrixExponential() { }
+    private MatrixExponential() {}
 
     /**
      * The exponential of a matrix.

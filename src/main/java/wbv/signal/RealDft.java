@@ -183,7 +183,8 @@ public final class RealDft {
      * So many sums of four values each, turned by multiples of an angle, of which c and s are cosine and sine; likewise of two, three and
      * five.
      */
-    private static void four(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+    private static void four(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
+            double s) {
         double c2 = c * c - s * s;
         double s2 = 2 * c * s;
         double c3 = c * c2 - s * s2;
@@ -207,7 +208,8 @@ public final class RealDft {
         }
     }
 
-    private static void two(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+    private static void two(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
+            double s) {
         for (int q = 0; q < count; q++) {
             int a = from + q;
             int b = to + q;
@@ -217,7 +219,8 @@ public final class RealDft {
         }
     }
 
-    private static void three(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+    private static void three(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
+            double s) {
         double h = Math.sqrt(3) / 2;
         double c2 = c * c - s * s;
         double s2 = 2 * c * s;
@@ -237,7 +240,8 @@ public final class RealDft {
         }
     }
 
-    private static void five(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+    private static void five(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
+            double s) {
         double a1 = Math.cos(2 * Math.PI / 5);
         double a2 = Math.cos(4 * Math.PI / 5);
         double b1 = Math.sin(2 * Math.PI / 5);

@@ -21,7 +21,7 @@ import java.util.Optional;
  * @param people          how many
  */
 public record SubjectMean(double[] frequency, double[] mean, double[] deviation, double[] plain, Peak peak, Peak peakDeviation,
-                          int people) {
+        int people) {
 
     /**
      * The response of one person.

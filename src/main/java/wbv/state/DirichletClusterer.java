@@ -17,7 +17,7 @@ public final class DirichletClusterer extends MixtureClusterer {
 
     @Override
     Mixture fit(double[][] data, RandomGenerator random) {
-        return DirichletProcess.fit(data, share, sweeps, rows, CovarianceShape.FULL, random, done -> { });
+        return DirichletProcess.fit(data, share, sweeps, rows, CovarianceShape.FULL, random, done -> {});
     }
 
     @Override

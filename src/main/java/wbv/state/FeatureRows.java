@@ -8,7 +8,7 @@ import wbv.state.markov.Rows;
 /** The features of a whole recording, every row at the time of its sample: the delay of the stream is taken out. */
 final class FeatureRows {
 
-    private FeatureRows() { }
+    private FeatureRows() {}
 
     /**
      * Length by {@link FeatureSpec#NAMES}, NaN where a sample that is needed is missing.

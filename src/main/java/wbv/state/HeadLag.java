@@ -61,7 +61,7 @@ public final class HeadLag implements Serializable {
     private long joltAt;
 
     /** What the jolts so far say. @param seconds by which the head is later @param deviation of it [s] @param jolts that count */
-    public record Lag(double seconds, double deviation, double jolts) { }
+    public record Lag(double seconds, double deviation, double jolts) {}
 
     /**
      * Has met no jolt yet.

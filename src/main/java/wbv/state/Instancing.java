@@ -6,7 +6,7 @@ import weka.core.Instances;
 /** Weka's instances as rows. */
 final class Instancing {
 
-    private Instancing() { }
+    private Instancing() {}
 
     /** All attributes of all instances but the class. */
     static double[][] rows(Instances data) {

@@ -19,7 +19,7 @@ public final class MessageLengthClusterer extends MixtureClusterer {
     Mixture fit(double[][] rows, RandomGenerator random) {
         return new MessageLength(Math.min(fewest, most), most, diagonal ? CovarianceShape.DIAGONAL : CovarianceShape.FULL,
                 MessageLength.USUAL.tolerance(),
-                MessageLength.USUAL.floor()).fit(rows, random, share -> { }).mixture();
+                MessageLength.USUAL.floor()).fit(rows, random, share -> {}).mixture();
     }
 
     @Override

@@ -3,7 +3,7 @@ package wbv.state;
 /** Says by thresholds alone what a row of features is: what people mean by the names, where no truth lies beside a recording. */
 public final class PhysicalLabels {
 
-    private PhysicalLabels() { }
+    private PhysicalLabels() {}
 
     /** The state that a row of features shows. @param features as {@link FeatureSpec#NAMES}, complete. Not modified. */
     public static MotionState of(double[] features, Thresholds thresholds) {

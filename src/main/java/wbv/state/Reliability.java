@@ -11,10 +11,10 @@ public final class Reliability {
 
     private final List<Said> said = new ArrayList<>();
 
-    private record Said(double probability, boolean came) { }
+    private record Said(double probability, boolean came) {}
 
     /** A tenth of the range of probabilities. @param said mean probability @param came share that came @param count in it */
-    public record Bin(double said, double came, int count) { }
+    public record Bin(double said, double came, int count) {}
 
     /** Takes a probability that was said, and whether it came so; NaN is left out. */
     public void add(double probability, boolean came) {

@@ -100,9 +100,9 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
             return Optional.empty();
         }
         Mixture mixture = new MessageLength(Math.min(states, rows.length), Math.min(states, rows.length), CovarianceShape.FULL, 1e-5, 1e-4)
-                .fit(rows, new Well19937c(getSeed()), share -> { }).mixture();
+                .fit(rows, new Well19937c(getSeed()), share -> {}).mixture();
         return Optional.of(new BaumWelch(rounds, 1e-3, 0.1, CovarianceShape.FULL, 1e-4)
-                .fit(HiddenMarkov.of(mixture, sequences, 0.1), sequences, share -> { }).model());
+                .fit(HiddenMarkov.of(mixture, sequences, 0.1), sequences, share -> {}).model());
     }
 
     private static double[][] sequence(Instance instance) {

@@ -23,7 +23,7 @@ public final class StateFiles {
     /** What a bag may be. */
     static final List<String> BAG_CLASSES = List.of("idle", "riding", "rocking", "jerk");
 
-    private StateFiles() { }
+    private StateFiles() {}
 
     private static BufferedWriter writer(AtomicFile file) {
         return new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8));

@@ -28,8 +28,8 @@ import wbv.state.markov.HiddenMarkov;
  * @param rows       of every named state in the training
  */
 public record StateModel(FeatureSpec features, Thresholds thresholds, String mixture, HiddenMarkov chain,
-                         List<Activity> activities, List<MotionState> names, double[] shares, double error, List<String> trials,
-                         Map<MotionState, Integer> rows) implements Serializable {
+        List<Activity> activities, List<MotionState> names, double[] shares, double error, List<String> trials,
+        Map<MotionState, Integer> rows) implements Serializable {
 
     public StateModel {
         activities = List.copyOf(activities);

@@ -29,7 +29,7 @@ public final class StateModelFile {
     private static final ObjectMapper MAPPER = new ObjectMapper();
     private static final int VERSION = 2;
 
-    private StateModelFile() { }
+    private StateModelFile() {}
 
     /** The file's text. @param provenance what, and from what, it was made */
     public static String text(StateModel model, Map<String, String> provenance) {

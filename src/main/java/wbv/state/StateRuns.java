@@ -45,7 +45,7 @@ public final class StateRuns {
     private long agreed;
 
     /** A state that lasted; empty where none is told. @param from first sample @param to one beyond the last */
-    public record Run(Optional<MotionState> state, long from, long to) { }
+    public record Run(Optional<MotionState> state, long from, long to) {}
 
     /** Before the first sample. */
     public StateRuns(StateModel model) {

@@ -49,7 +49,7 @@ public final class StateTraining {
     private final List<Double> errors = new ArrayList<>();
 
     /** What a row is. */
-    private record Label(Activity activity, MotionState state) { }
+    private record Label(Activity activity, MotionState state) {}
 
     /** How mixtures are found. */
     public enum Mixing {
@@ -68,9 +68,9 @@ public final class StateTraining {
 
         Mixture fit(double[][] rows, RandomGenerator random) {
             return switch (this) {
-                case MESSAGE_LENGTH -> MessageLength.USUAL.between(1, COMPONENTS).fit(rows, random, share -> { }).mixture();
-                case DIRICHLET -> DirichletProcess.fit(rows, 0.2, 100, 20, CovarianceShape.FULL, random, share -> { });
-                case SINGLE -> MessageLength.USUAL.between(1, 1).fit(rows, random, share -> { }).mixture();
+                case MESSAGE_LENGTH -> MessageLength.USUAL.between(1, COMPONENTS).fit(rows, random, share -> {}).mixture();
+                case DIRICHLET -> DirichletProcess.fit(rows, 0.2, 100, 20, CovarianceShape.FULL, random, share -> {});
+                case SINGLE -> MessageLength.USUAL.between(1, 1).fit(rows, random, share -> {}).mixture();
             };
         }
     }

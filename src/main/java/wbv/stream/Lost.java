@@ -16,7 +16,8 @@ enum Lost {
     static MultiChoiceOption option() {
         return new MultiChoiceOption("lost", 'l', "What becomes of samples that sensors lost.", new String[] {"missing", "skipped"},
                 new String[] {"missing values, as learners of wbv take them",
-                    "instances that lack a value are left out, for learners that take no missing values, such as FIMTDD"}, MISSING.ordinal());
+                    "instances that lack a value are left out, for learners that take no missing values, such as FIMTDD"},
+                MISSING.ordinal());
     }
 
     static Lost of(MultiChoiceOption option) {

@@ -113,7 +113,8 @@ public class RecordingStream extends AbstractOptionHandler implements InstanceSt
 
         /** Whether it can be read once only. */
         private boolean isPipe() {
-            return path.equals("-") || Files.exists(Path.of(path)) && !Files.isRegularFile(Path.of(path)) && !Files.isDirectory(Path.of(path));
+            return path.equals("-")
+                    || Files.exists(Path.of(path)) && !Files.isRegularFile(Path.of(path)) && !Files.isDirectory(Path.of(path));
         }
 
         private RowReader piped() throws IOException {

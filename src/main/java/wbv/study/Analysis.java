@@ -108,7 +108,8 @@ public final class Analysis {
         pictureWarmUp = inputPicture.delay();
         warmUp = bridges[0].delay();
         waveforms.put(input, new Waveform(SHOWN));
-        outputs.forEach(output -> waveforms.put(output, new Waveform(shown(output) ? SHOWN : Math.max(2000, OTHERS / outputs.size() / 2 * 2))));
+        outputs.forEach(
+                output -> waveforms.put(output, new Waveform(shown(output) ? SHOWN : Math.max(2000, OTHERS / outputs.size() / 2 * 2))));
         StateModel shipped = StateModelFile.shipped();
         states = StateRuns.canTell(shipped, channels, rate) ? Optional.of(new StateRuns(shipped)) : Optional.empty();
     }
@@ -179,8 +180,8 @@ public final class Analysis {
     private void follow(OutputFolder out, String ending, BiConsumer<String, Double> progress) throws IOException {
         List<Channel> outputs = outputs();
         try (UniformReader reader = request.source().uniform(inspection);
-             TrackFile csv = tracks(out.file("tracks.csv" + ending), outputs);
-             TrackFile arff = tracks(out.file("tracks.arff" + ending), outputs)) {
+                TrackFile csv = tracks(out.file("tracks.csv" + ending), outputs);
+                TrackFile arff = tracks(out.file("tracks.arff" + ending), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
             int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
@@ -284,8 +285,10 @@ public final class Analysis {
     public String taskString() {
         Channel output = followed.get(leading).channel();
         String map = request.map().map(file -> " -m " + quoted(file.toString())).orElse("");
-        return String.format(Locale.ROOT, "wbv.task.TrackBody -l (wbv.learn.AdwinKalman -f %s -d %s -r %s) -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
-                request.frequency(), request.damping(), inspection.clock().rate(), quoted(request.title().equals("standard input") ? "FILE" : request.source().toString()), input, output, map);
+        return String.format(Locale.ROOT,
+                "wbv.task.TrackBody -l (wbv.learn.AdwinKalman -f %s -d %s -r %s) -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
+                request.frequency(), request.damping(), inspection.clock().rate(),
+                quoted(request.title().equals("standard input") ? "FILE" : request.source().toString()), input, output, map);
     }
 
     /** A value of a task string must be quoted where it holds a space. */

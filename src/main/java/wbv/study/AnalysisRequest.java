@@ -22,7 +22,7 @@ import wbv.recording.inspect.RowSource;
  * @param provenance what the report says of its own making, by name: command, version, SHA-256 of the inputs
  */
 public record AnalysisRequest(RowSource source, String title, Optional<Path> map, List<Channel> input, List<Channel> outputs,
-                              double frequency, double damping, Map<String, String> provenance) {
+        double frequency, double damping, Map<String, String> provenance) {
 
     private static final List<String> BASES = List.of("platform", "floor", "seat");
 

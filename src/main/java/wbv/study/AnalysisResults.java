@@ -23,11 +23,11 @@ import wbv.signal.FrequencyResponse;
  * @param provenance how the results came about
  */
 public record AnalysisResults(RecordingFacts recording, String input, List<OutputFacts> outputs,
-                              Optional<ExposureFacts> exposure, Optional<StateFacts> states, Map<String, String> provenance) {
+        Optional<ExposureFacts> exposure, Optional<StateFacts> states, Map<String, String> provenance) {
 
     /** What was read. */
     public record RecordingFacts(String name, long rows, long samples, double rate_hz, double start_s, double duration_s, String laid,
-                                 Map<String, Summary> channels, List<FindingFacts> findings) {
+            Map<String, Summary> channels, List<FindingFacts> findings) {
 
         static RecordingFacts of(String name, Inspection seen, Relay relay) {
             Map<String, Summary> channels = new LinkedHashMap<>();
@@ -40,10 +40,10 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     }
 
     /** What is wrong with it. */
-    public record FindingFacts(String kind, String severity, String message, String advice) { }
+    public record FindingFacts(String kind, String severity, String message, String advice) {}
 
     /** One output: the body over the recording, the stream's last estimate, the transmissibility. */
-    public record OutputFacts(String channel, PathBody.Facts body, StreamFacts stream, Optional<ResponseFacts> transmissibility) { }
+    public record OutputFacts(String channel, PathBody.Facts body, StreamFacts stream, Optional<ResponseFacts> transmissibility) {}
 
     /**
      * The streaming estimate after the last sample, and how the estimator fared. Numbers are null where there never was one.
@@ -51,16 +51,17 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
      * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
      * @param lost       why nothing is known after the last sample; empty if something is
      */
-    public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
-                              double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
-                              long gaps, long missing) { }
+    public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz,
+            double damping_ratio, double damping_ratio_sd,
+            double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
+            long gaps, long missing) {}
 
     /** A frequency response at the bins of its segmentation. */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
-                                double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
-                                double[] relative_error, boolean[] usable, String[] unusable_because, String[] other_cause,
-                                Optional<ResponseResults.OtherCauseFacts> other_motion, String input_unit, double[] input_density,
-                                String output_unit, double[] output_density, double[] estimator) { }
+            double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
+            double[] relative_error, boolean[] usable, String[] unusable_because, String[] other_cause,
+            Optional<ResponseResults.OtherCauseFacts> other_motion, String input_unit, double[] input_density,
+            String output_unit, double[] output_density, double[] estimator) {}
 
     /**
      * The exposure of this recording.
@@ -83,16 +84,18 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
      * @param seconds   by state @param untold_s time that is unlike what the model learned from
      * @param agreement share of the told samples whose state is what the thresholds say of the sample alone
      */
-    public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) { }
+    public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) {}
 
-    private static final FollowedBody.Estimate NEVER = new FollowedBody.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+    private static final FollowedBody.Estimate NEVER = new FollowedBody.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN,
+            Double.NaN);
 
     static AnalysisResults of(Analysis analysis) {
         List<OutputFacts> outputs = new ArrayList<>();
         for (int i = 0; i < analysis.followed().size(); i++) {
             outputs.add(output(analysis, i));
         }
-        return new AnalysisResults(RecordingFacts.of(analysis.request().title(), analysis.inspection(), analysis.relay()), analysis.input().toString(), outputs,
+        return new AnalysisResults(RecordingFacts.of(analysis.request().title(), analysis.inspection(), analysis.relay()),
+                analysis.input().toString(), outputs,
                 analysis.exposure().map(measured -> new JudgedExposure(measured).facts()), analysis.states().map(ToldStates::facts),
                 analysis.request().provenance());
     }

@@ -39,7 +39,7 @@ public final class Asymptotes {
     private static final double[][] STARTS = {{1.5, 0.1}, {3, 0.8}, {5, 0.4}, {9, 0.15}, {14, 0.9}};
 
     /** One filter: its name, its function along both axes through the rest, in the plane, and where it went from each start. */
-    public record Portrait(String name, List<Value> alongFrequency, List<Value> alongDamping, List<Value> plane, List<Value> ends) { }
+    public record Portrait(String name, List<Value> alongFrequency, List<Value> alongDamping, List<Value> plane, List<Value> ends) {}
 
     private final Channel input;
     private final Channel output;
@@ -143,11 +143,11 @@ public final class Asymptotes {
 
     /** {@code results.json}. */
     record Facts(String recording, String input, String output, double duration_s, List<FilterFacts> filters,
-                 Map<String, String> provenance) { }
+            Map<String, String> provenance) {}
 
     /** Where one filter comes to rest. */
     record FilterFacts(String estimator, double rest_frequency_hz, double rest_damping_ratio, boolean stable, int starts,
-                       int starts_that_end_there) { }
+            int starts_that_end_there) {}
 
     private static FilterFacts facts(Portrait portrait) {
         Value rest = rest(portrait.ends());
@@ -177,7 +177,7 @@ public final class Asymptotes {
             FilterFacts facts = facts(portrait);
             text.append(String.format(Locale.ROOT, "  %-10s rests at %.3f Hz, damping ratio %.4f%s; %d of %d starts end there%n",
                     facts.estimator(), facts.rest_frequency_hz(), facts.rest_damping_ratio(), facts.stable() ? ""
-                    : " (not stable)",
+                            : " (not stable)",
                     facts.starts_that_end_there(), facts.starts()));
             for (Value other : others(portrait.ends())) {
                 text.append(String.format(Locale.ROOT, "  %-10s %d of them at %.3f Hz, damping ratio %.4f%s%n", "",

@@ -38,8 +38,9 @@ import wbv.signal.Segmentation;
  * @param fitted     the mass on spring and damper; empty where the seat does not move as one
  * @param curve      by frequency, where the floor was shaken
  */
-public record DampingTest(String format, int version, Map<String, String> provenance, String floor, String seat, double seconds, double seat_value,
-                          Optional<Measured> measured, Optional<Fitted> fitted, Curve curve) {
+public record DampingTest(String format, int version, Map<String, String> provenance, String floor, String seat, double seconds,
+        double seat_value,
+        Optional<Measured> measured, Optional<Fitted> fitted, Curve curve) {
 
     /** Greatest transmissibility at resonance of seats for EM1 to EM4 and EM6; assumed. */
     public static final double LOW_LIMIT = 1.5;
@@ -55,7 +56,7 @@ public record DampingTest(String format, int version, Map<String, String> proven
     private static final double SETTLE = 5;
 
     /** The peak. @param resonance_hz where @param transmissibility there @param margin half the band that holds it with 95 % */
-    public record Measured(double resonance_hz, double transmissibility, double margin) { }
+    public record Measured(double resonance_hz, double transmissibility, double margin) {}
 
     /**
      * A mass on spring and damper. Deviations are standard ones; they count what the seat does otherwise.
@@ -63,13 +64,15 @@ public record DampingTest(String format, int version, Map<String, String> proven
      * @param natural_frequency_hz undamped @param damping_ratio to the critical one @param resonance_hz where its transmissibility is highest
      * @param transmissibility there @param explained share of the seat's motion
      */
-    public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio, double damping_ratio_deviation,
-                         double resonance_hz, double transmissibility, double transmissibility_deviation, double explained) {
+    public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio,
+            double damping_ratio_deviation,
+            double resonance_hz, double transmissibility, double transmissibility_deviation, double explained) {
 
         static Fitted of(EquivalentBody body) {
             EquivalentBody.Mode mode = body.modes().get(0);
             double slope = (highest(mode.damping() + 1e-4) - highest(mode.damping() - 1e-4)) / 2e-4;
-            return new Fitted(mode.frequency(), mode.frequencyDeviation(), mode.damping(), mode.dampingDeviation(), mode.frequency() * place(mode.damping()),
+            return new Fitted(mode.frequency(), mode.frequencyDeviation(), mode.damping(), mode.dampingDeviation(),
+                    mode.frequency() * place(mode.damping()),
                     highest(mode.damping()), Math.abs(slope) * mode.dampingDeviation(), body.explained());
         }
 
@@ -93,7 +96,7 @@ public record DampingTest(String format, int version, Map<String, String> proven
     }
 
     /** Arrays of one length. Not copied. @param frequency_hz rising @param transmissibility |H1| @param margin half its band @param fitted NaN if none */
-    public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) { }
+    public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) {}
 
     /**
      * Reads a recording and writes {@code seat.json}.
@@ -112,16 +115,20 @@ public record DampingTest(String format, int version, Map<String, String> proven
                 .chooseInput(recording.channels(), title);
         Channel seat = recording.channels().stream().filter(each -> each.location().equals("seat") && !each.equals(floor)
                 && each.quantity() == floor.quantity() && each.axis() == floor.axis()).findFirst()
-                .orElseThrow(() -> DataFault.in(title, "a test of a seat needs its sensor beside " + floor + ": there is no seat." + floor.quantity()
-                        + " along the same axis among " + recording.channels()));
+                .orElseThrow(() -> DataFault.in(title,
+                        "a test of a seat needs its sensor beside " + floor + ": there is no seat." + floor.quantity()
+                                + " along the same axis among " + recording.channels()));
         Optional<Fitted> fitted = fit(recording, floor, seat);
-        ResponseRequest request = new ResponseRequest(source, title, Map.of(), List.of(floor), List.of(seat), OptionalDouble.of(segment(recording, fitted)),
+        ResponseRequest request = new ResponseRequest(source, title, Map.of(), List.of(floor), List.of(seat),
+                OptionalDouble.of(segment(recording, fitted)),
                 LEVEL, Optional.empty(), 0, false, Map.of(), Optional.empty(), provenance);
-        MeasuredResponse measured = new MeasuredResponse(source, request, (step, share) -> { });
+        MeasuredResponse measured = new MeasuredResponse(source, request, (step, share) -> {});
         ResponseCurve curve = new ResponseCurve(floor, seat, 0, measured.response(0), measured.h2(0, 0), Optional.empty(), 0, LEVEL);
         Optional<Peak> peak = curve.peak();
-        return new DampingTest("wbv-seat-test", 1, provenance, floor.toString(), seat.toString(), recording.duration(), ratio(recording, floor, seat),
-                peak.map(highest -> new Measured(highest.frequency(), highest.height(), curve.highestMargin())), fitted, drawn(curve, fitted));
+        return new DampingTest("wbv-seat-test", 1, provenance, floor.toString(), seat.toString(), recording.duration(),
+                ratio(recording, floor, seat),
+                peak.map(highest -> new Measured(highest.frequency(), highest.height(), curve.highestMargin())), fitted,
+                drawn(curve, fitted));
     }
 
     private static Optional<Fitted> fit(Recording recording, Channel floor, Channel seat) {
@@ -131,14 +138,17 @@ public record DampingTest(String format, int version, Map<String, String> proven
         for (int i = 0; i < u.length; i++) {
             window.accept(new double[] {u[i], y[i]});
         }
-        return new EquivalentBodies(window, 0).of(y, 1).filter(body -> body.carries() && body.modes().get(0).damping() > 2e-4).map(Fitted::of);
+        return new EquivalentBodies(window, 0).of(y, 1).filter(body -> body.carries() && body.modes().get(0).damping() > 2e-4)
+                .map(Fitted::of);
     }
 
     /** Long enough for the seat's own peak, short enough for four of them. */
     private static double segment(Recording recording, Optional<Fitted> fitted) {
         double rate = recording.clock().rate();
-        double wanted = Segmentation.resolving(rate, fitted.map(Fitted::natural_frequency_hz).orElse(SOFTEST), fitted.map(Fitted::damping_ratio)
-                .orElse(LEAST_DAMPING), BIAS).length() / rate;
+        double wanted = Segmentation
+                .resolving(rate, fitted.map(Fitted::natural_frequency_hz).orElse(SOFTEST), fitted.map(Fitted::damping_ratio)
+                        .orElse(LEAST_DAMPING), BIAS)
+                .length() / rate;
         return Math.min(wanted, recording.duration() / 4);
     }
 
@@ -174,21 +184,29 @@ public record DampingTest(String format, int version, Map<String, String> proven
 
     /** One sentence. */
     public String sentence() {
-        return measured.map(peak -> String.format(Locale.ROOT, "At its resonance of %.2f Hz the seat moves %.2f ± %.2f times as much as the floor.",
-                peak.resonance_hz(), peak.transmissibility(), peak.margin())).orElse("The seat shows no resonance within the band that the floor shakes.");
+        return measured
+                .map(peak -> String.format(Locale.ROOT,
+                        "At its resonance of %.2f Hz the seat moves %.2f ± %.2f times as much as the floor.",
+                        peak.resonance_hz(), peak.transmissibility(), peak.margin()))
+                .orElse("The seat shows no resonance within the band that the floor shakes.");
     }
 
     /** A few lines for the terminal. */
     public String summary() {
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s to %s, %.1f s: SEAT %.3f by r.m.s., Wk%n", floor, seat, seconds, seat_value));
-        text.append(measured.map(peak -> String.format(Locale.ROOT, "  measured   transmissibility %.2f ± %.2f at %.2f Hz%n", peak.transmissibility(),
-                peak.margin(), peak.resonance_hz())).orElse(String.format("  measured   no peak within the band that the floor shakes%n")));
+        StringBuilder text = new StringBuilder(
+                String.format(Locale.ROOT, "%s to %s, %.1f s: SEAT %.3f by r.m.s., Wk%n", floor, seat, seconds, seat_value));
+        text.append(measured
+                .map(peak -> String.format(Locale.ROOT, "  measured   transmissibility %.2f ± %.2f at %.2f Hz%n", peak.transmissibility(),
+                        peak.margin(), peak.resonance_hz()))
+                .orElse(String.format("  measured   no peak within the band that the floor shakes%n")));
         text.append(fitted.map(body -> String.format(Locale.ROOT,
                 "  fitted     transmissibility %.2f ± %.2f at %.2f Hz: natural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f (2σ), explains %.1f %%%n",
                 body.transmissibility(), 2 * body.transmissibility_deviation(), body.resonance_hz(), body.natural_frequency_hz(),
-                2 * body.natural_frequency_deviation_hz(), body.damping_ratio(), 2 * body.damping_ratio_deviation(), 100 * body.explained()))
+                2 * body.natural_frequency_deviation_hz(), body.damping_ratio(), 2 * body.damping_ratio_deviation(),
+                100 * body.explained()))
                 .orElse(String.format("  fitted     the seat does not move as a mass on a spring and a damper%n")));
-        text.append(String.format(Locale.ROOT, "  allowed    %.1f (EM1 to EM4, EM6) or %.1f (EM5, EM7 to EM9) with an inert mass of 75 kg on the seat (assumed)%n",
+        text.append(String.format(Locale.ROOT,
+                "  allowed    %.1f (EM1 to EM4, EM6) or %.1f (EM5, EM7 to EM9) with an inert mass of 75 kg on the seat (assumed)%n",
                 LOW_LIMIT, HIGH_LIMIT));
         return text.toString().replace(System.lineSeparator(), "\n");
     }

@@ -18,13 +18,14 @@ import wbv.diagnosis.picture.Pictures;
  * @param latent        places that could carry what nothing explains, best first
  * @param learned       the law that was learned where no mechanism carries what is missing; its terms stand in {@code model.json}
  */
-public record DiagnosisJson(String verdict, String sentence, String subject, @JsonProperty("subject_declared") boolean declared, List<Located> located, List<Named> missing, List<Named> alternatives,
-                     @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent, List<Law> learned,
-                     @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
+public record DiagnosisJson(String verdict, String sentence, String subject, @JsonProperty("subject_declared") boolean declared,
+        List<Located> located, List<Named> missing, List<Named> alternatives,
+        @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent, List<Law> learned,
+        @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
 
     /** @param times mean square of the mismatch in units of the noise @param pValue see {@link Pictures.View#pValue} */
     record Located(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("time_s") double[] time, double share,
-                   @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) { }
+            @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) {}
 
     /**
      * @param std null where the recording does not tell @param intervals that hold 95 % @param identifiable whether both ends are
@@ -32,8 +33,8 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
      * @param reduced χ² per number with it, on the data fitted
      */
     record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
-                 Map<String, Range> intervals, Map<String, Boolean> identifiable,
-                 @JsonProperty("chi2_reduced") double reduced) { }
+            Map<String, Range> intervals, Map<String, Boolean> identifiable,
+            @JsonProperty("chi2_reduced") double reduced) {}
 
     /** @param low null where the recording sets no end @param high likewise @param from {@code curvature} or {@code profile} */
     record Range(double low, double high, String from) {
@@ -50,10 +51,10 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
      *                the others
      */
     record HeldOut(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("signal_share") double signal,
-                   @JsonProperty("nrmse_before") double before, @JsonProperty("nrmse_before_90") double[] before90,
-                   @JsonProperty("nrmse_after") double after, @JsonProperty("nrmse_after_90") double[] after90,
-                   @JsonProperty("noise_floor_nrmse") double floor, double removed,
-                   @JsonProperty("removed_90") double[] removed90) {
+            @JsonProperty("nrmse_before") double before, @JsonProperty("nrmse_before_90") double[] before90,
+            @JsonProperty("nrmse_after") double after, @JsonProperty("nrmse_after_90") double[] after90,
+            @JsonProperty("noise_floor_nrmse") double floor, double removed,
+            @JsonProperty("removed_90") double[] removed90) {
         static HeldOut of(Diagnosis.Proof p) {
             return new HeldOut(p.channel(), p.band(), p.signal(), p.before().value(), ends(p.before()), p.after().value(),
                     ends(p.after()),
@@ -67,27 +68,27 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
 
     /** All χ² per number: 1 is noise alone. */
     record Fit(@JsonProperty("heldout_s") double[] heldOut, @JsonProperty("heldout_nrmse_given") Map<String, Double> given,
-               @JsonProperty("heldout_nrmse_before") Map<String, Double> before,
-               @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
-               @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
-               @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
-               @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter,
-               @JsonProperty("heldout_by_channel") List<HeldOut> channels,
-               @JsonProperty("heldout_by_band") List<HeldOut> bands,
-               @JsonProperty("sensor_errors") Map<String, Map<String, Double>> sensors) { }
+            @JsonProperty("heldout_nrmse_before") Map<String, Double> before,
+            @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
+            @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
+            @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
+            @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter,
+            @JsonProperty("heldout_by_channel") List<HeldOut> channels,
+            @JsonProperty("heldout_by_band") List<HeldOut> bands,
+            @JsonProperty("sensor_errors") Map<String, Map<String, Double>> sensors) {}
 
     /**
      * @param formula of the force that pulls the ends of the link together [N]
      * @param corrects mechanisms in the link whose form it corrects; none where it is all that is missing
      * @param rivals other laws that were fitted, likeliest first
      */
-    record Law(String where, String formula, List<String> corrects, List<Rival> rivals) { }
+    record Law(String where, String formula, List<String> corrects, List<Rival> rivals) {}
 
-    record Rival(String formula, double probability, @JsonProperty("chi2_reduced") double reduced) { }
+    record Rival(String formula, double probability, @JsonProperty("chi2_reduced") double reduced) {}
 
-    record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
+    record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) {}
 
-    record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) { }
+    record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) {}
 
     /** A diagnosis in this format. @param provenance by what it came about: versions, options, SHA-256 of the files */
     public static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
@@ -99,9 +100,14 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
                 d.alternatives().stream().map(DiagnosisJson::named).toList(),
                 d.nextExperiment(), fit(d.fit(), pictures),
                 d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
-                d.learned().stream().map(law -> new Law(law.where(), law.formula(), d.missing().stream().filter(named -> d.verdict() != Diagnosis.Verdict.LEARNED_LAW && named.where().equals(law.where()))
-                        .map(Diagnosis.Named::mechanism).toList(), law.rivals().stream()
-                        .map(rival -> new Rival(rival.formula(), rival.probability(), rival.reduced())).toList())).toList(),
+                d.learned().stream()
+                        .map(law -> new Law(law.where(), law.formula(),
+                                d.missing().stream()
+                                        .filter(named -> d.verdict() != Diagnosis.Verdict.LEARNED_LAW && named.where().equals(law.where()))
+                                        .map(Diagnosis.Named::mechanism).toList(),
+                                law.rivals().stream()
+                                        .map(rival -> new Rival(rival.formula(), rival.probability(), rival.reduced())).toList()))
+                        .toList(),
                 pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
                 provenance);
     }

@@ -31,8 +31,8 @@ public record ExposureRequest(List<Recorded> recordings, SeatMeter.Setup setup, 
      * @param task    its name; empty to take the sidecar's
      * @param minutes daily; empty to take the sidecar's
      */
-    public record Recorded(RowSource source, String title, Optional<String> task, OptionalDouble minutes) { }
+    public record Recorded(RowSource source, String title, Optional<String> task, OptionalDouble minutes) {}
 
     /** Years of daily exposure. @param from age at which it began @param years of it @param days a year of it */
-    public record Career(int from, int years, double days) { }
+    public record Career(int from, int years, double days) {}
 }

@@ -25,22 +25,22 @@ import wbv.exposure.Vibration;
  * @param provenance by name: command, version, SHA-256 of the inputs
  */
 public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, List<Note> remarks,
-                              Map<String, String> provenance) {
+        Map<String, String> provenance) {
 
     /** The day and its verdicts. @param lower_bound true if a sampling rate was too low for the whole band */
     public record Day(double minutes, boolean lower_bound, double a8_m_s2, double a8_standard_deviation_m_s2, String a8_axis,
             double points, String verdict, double vdv_m_s1_75, String vdv_axis, String verdict_by_dose, String caution_zone,
             String caution_zone_by_dose, double minutes_until_action_a8, double minutes_until_limit_a8,
-            double minutes_until_action_vdv, double minutes_until_limit_vdv, Map<String, DayAxis> axes) { }
+            double minutes_until_action_vdv, double minutes_until_limit_vdv, Map<String, DayAxis> axes) {}
 
     /** Factors k are in these. */
-    public record DayAxis(double a8_m_s2, double points, double vdv_m_s1_75, double estimated_vdv_m_s1_75) { }
+    public record DayAxis(double a8_m_s2, double points, double vdv_m_s1_75, double estimated_vdv_m_s1_75) {}
 
     /** A task and the recording that it was measured by. */
     public record Task(String name, String recording, double minutes, String place, double rate_hz, double duration_s,
             boolean boxcar_undone, Map<String, TaskAxis> axes, Comforts comfort, OptionalDouble msdv_m_s1_5,
             double minutes_until_action_a8, double minutes_until_limit_a8, double minutes_until_action_vdv,
-            double minutes_until_limit_vdv, OptionalDouble spinal_dose_m_s2) { }
+            double minutes_until_limit_vdv, OptionalDouble spinal_dose_m_s2) {}
 
     /** An axis of a task. Only names that begin with k have the factor k in them, and daily and partial values. */
     public record TaskAxis(String weighting, double k, double band_from_hz, double band_to_hz, boolean lower_bound,
@@ -48,23 +48,23 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
             double peak_m_s2, double crest_factor, double mtvv_m_s2, double mtvv_at_s, double mtvv_exponential_m_s2,
             double mtvv_ratio, double vdv_measured_m_s1_75, double vdv_ratio, boolean shocks, double partial_a8_m_s2,
             double partial_points, double daily_vdv_m_s1_75, double estimated_daily_vdv_m_s1_75, OptionalDouble seat_rms,
-            OptionalDouble seat_vdv, Optional<Bands> third_octaves) { }
+            OptionalDouble seat_vdv, Optional<Bands> third_octaves) {}
 
     /** One-third-octave bands. */
-    public record Bands(double[] nominal_hz, double[] measured_m_s2, double[] weighted_m_s2) { }
+    public record Bands(double[] nominal_hz, double[] measured_m_s2, double[] weighted_m_s2) {}
 
     /** Comfort: factors k are in the totals, not in the levels. */
-    public record Comforts(double total_m_s2, String reaction, Map<String, Double> points_m_s2, Map<String, Double> levels) { }
+    public record Comforts(double total_m_s2, String reaction, Map<String, Double> points_m_s2, Map<String, Double> levels) {}
 
     /** ISO 2631-5. @param risks by sex */
     public record Spine(double daily_dose_m_s2, int from_age, int years, double days_a_year, boolean indicative,
-            Map<String, Risk> risks) { }
+            Map<String, Risk> risks) {}
 
     /** Daily stress Sd, stress variable R and probability of injury. */
-    public record Risk(double stress_mpa, double r, double probability) { }
+    public record Risk(double stress_mpa, double r, double probability) {}
 
     /** Something to know. */
-    public record Note(String severity, String message, String advice) { }
+    public record Note(String severity, String message, String advice) {}
 
     static ExposureResults of(ExposureStudy exposure) {
         List<Task> tasks = new ArrayList<>();
@@ -113,7 +113,7 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
         double total = ComfortAxis.total(measured.comfort());
         return new Task(task.name(), recording, task.minutes(), measured.place(), measured.inspection().clock().rate(),
                 measured.inspection().duration(), measured.boxcar(), axes, new Comforts(total, Comfort.words(total), points,
-                levels),
+                        levels),
                 measured.sickness().map(z -> OptionalDouble.of(z.motionSicknessDose())).orElse(OptionalDouble.empty()),
                 task.minutesUntilA8(Directive.ACTION), task.minutesUntilA8(Directive.LIMIT),
                 task.minutesUntilVdv(Directive.ACTION),

@@ -51,7 +51,7 @@ public final class ExposureStudy {
                 if (measured.size() > 1) {
                     throw DataFault.in(recorded.title(),
                             "how many minutes a day it stands for is not known; say --task NAME=MINUTES for every"
-                            + " recording in turn, or daily_minutes in its sidecar");
+                                    + " recording in turn, or daily_minutes in its sidecar");
                 }
                 minutes = EIGHT_HOURS;
                 unsaid = true;

@@ -22,7 +22,7 @@ final class ExposureTable {
             "seat_vdv");
     private static final String DAY = "all";
 
-    private ExposureTable() { }
+    private ExposureTable() {}
 
     static void write(ExposureStudy exposure, Path file) throws IOException {
         StringBuilder text = new StringBuilder();

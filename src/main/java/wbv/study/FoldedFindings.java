@@ -22,7 +22,7 @@ public final class FoldedFindings {
     /** Shares that differ by less than a quarter are told as one. */
     private static final double ALIKE = 1.25;
 
-    private FoldedFindings() { }
+    private FoldedFindings() {}
 
     /**
      * What was found of one kind.
@@ -30,7 +30,7 @@ public final class FoldedFindings {
      * @param message what was found, with its numbers
      * @param advice  what the reader can do about it; may be empty
      */
-    public record Line(Severity severity, String message, String advice) { }
+    public record Line(Severity severity, String message, String advice) {}
 
     /** The findings on the whole recording and on the places used, gravest first. @param used locations */
     public static List<Line> of(Inspection seen, Set<String> used) {
@@ -68,7 +68,7 @@ public final class FoldedFindings {
     private static Optional<Channel> channel(Finding finding) {
         return finding instanceof Finding.Stuck stuck ? Optional.of(stuck.channel())
                 : finding instanceof Finding.Clipped clipped ? Optional.of(clipped.channel())
-                : finding instanceof Finding.Spikes spikes ? Optional.of(spikes.channel()) : Optional.empty();
+                        : finding instanceof Finding.Spikes spikes ? Optional.of(spikes.channel()) : Optional.empty();
     }
 
     /** A finding at a place in a few words, which do not name the place. */

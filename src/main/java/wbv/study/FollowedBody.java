@@ -54,7 +54,7 @@ public final class FollowedBody {
      * @param time from the first sample [s] @param frequency natural frequency [Hz] @param frequencyDeviation its standard deviation
      * @param damping damping ratio @param dampingDeviation its standard deviation
      */
-    public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) { }
+    public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
     private final Channel channel;
     private final EstimatorDesign recipe;
@@ -79,7 +79,8 @@ public final class FollowedBody {
     private boolean moves;
     private Optional<Estimate> known = Optional.empty();
 
-    private FollowedBody(Channel channel, EstimatorDesign recipe, boolean follows, Spec spec, Supplier<? extends Alarm> alarms, int others) {
+    private FollowedBody(Channel channel, EstimatorDesign recipe, boolean follows, Spec spec, Supplier<? extends Alarm> alarms,
+            int others) {
         this.channel = channel;
         this.recipe = recipe;
         this.follows = follows;
@@ -168,8 +169,11 @@ public final class FollowedBody {
         if (!follows) {
             return "the estimator follows accelerations, from acceleration";
         }
-        String why = !moves ? "nothing moves" : track.divergences() > 0 ? "the input does not explain its motion as that of one degree of freedom (diverged "
-                + track.divergences() + (track.divergences() == 1 ? " time)" : " times)") : "too little motion, or too short";
+        String why = !moves
+                ? "nothing moves" : track.divergences() > 0
+                        ? "the input does not explain its motion as that of one degree of freedom (diverged "
+                                + track.divergences() + (track.divergences() == 1 ? " time)" : " times)")
+                        : "too little motion, or too short";
         return known.map(last -> String.format(Locale.ROOT, "as known at %.0f s, lost since: ", last.time()) + why).orElse(why);
     }
 

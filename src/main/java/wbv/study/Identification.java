@@ -25,7 +25,7 @@ import wbv.signal.Upsampler;
  * Schwarz's criterion chooses, and a model in continuous time by refined instruments; each with its modes.
  */
 public record Identification(String recording, List<String> inputs, String output, double rate_hz, double from_s, double used_s,
-                             List<Tried> tried, Discrete armax, Optional<Continuous> instruments, Map<String, String> provenance) {
+        List<Tried> tried, Discrete armax, Optional<Continuous> instruments, Map<String, String> provenance) {
 
     /** Missing samples that are bridged [s]. */
     private static final double LONGEST_BRIDGE = 0.05;
@@ -36,7 +36,7 @@ public record Identification(String recording, List<String> inputs, String outpu
     private static final int CLOSER = 4;
 
     /** A number of poles that was tried. @param schwarz criterion, the lower the better */
-    public record Tried(int poles, double schwarz) { }
+    public record Tried(int poles, double schwarz) {}
 
     /** A mode and where it lies with one standard deviation. */
     public record Mode(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) {
@@ -60,10 +60,10 @@ public record Identification(String recording, List<String> inputs, String outpu
      * @param simulated share that is simulated from the inputs alone
      */
     public record Discrete(int poles, double[] a, double[][] b, double[] c, double residual_sd, double predicted, double simulated,
-                           boolean converged, String equation, List<Mode> modes) { }
+            boolean converged, String equation, List<Mode> modes) {}
 
     /** {@code B(s)/A(s)} of every input; coefficients of the highest power first, A's leading 1 left out. */
-    public record Continuous(int poles, double[] a, double[][] b, double simulated, List<Mode> modes) { }
+    public record Continuous(int poles, double[] a, double[][] b, double simulated, List<Mode> modes) {}
 
     /**
      * Identifies.
@@ -72,7 +72,7 @@ public record Identification(String recording, List<String> inputs, String outpu
      * @throws DataFault if a channel is missing, does not move, or there are too few samples without a gap
      */
     public static Identification of(String name, Recording recording, List<Channel> inputs, Channel output, List<Integer> poles,
-                                    Map<String, String> provenance) {
+            Map<String, String> provenance) {
         List<double[]> channels = new ArrayList<>();
         double rate = recording.clock().rate();
         for (Channel channel : inputs) {
@@ -97,7 +97,8 @@ public record Identification(String recording, List<String> inputs, String outpu
         OrderSelection selection = OrderSelection.among(candidates, samples);
         return new Identification(name, inputs.stream().map(Channel::toString).toList(), output.toString(), rate,
                 recording.clock().time(whole[0]), samples.length() / rate, selection.tried().stream()
-                .map(each -> new Tried(each.orders().na(), each.criterion())).toList(), discrete(selection.best().fit(), samples),
+                        .map(each -> new Tried(each.orders().na(), each.criterion())).toList(),
+                discrete(selection.best().fit(), samples),
                 continuous(selection.best().orders().na(), samples), provenance);
     }
 
@@ -190,7 +191,7 @@ public record Identification(String recording, List<String> inputs, String outpu
                 String.join(", ", inputs), output, used_s, rate_hz));
         text.append(tried.size() == 1 ? String.format(Locale.ROOT, "%d poles%n", armax.poles())
                 : String.format(Locale.ROOT, "Schwarz's criterion chooses %d poles of %s%n", armax.poles(), String.join(", ",
-                tried.stream().map(Tried::poles).sorted().map(String::valueOf).toList())));
+                        tried.stream().map(Tried::poles).sorted().map(String::valueOf).toList())));
         text.append(String.format(Locale.ROOT, "ARMAX by prediction error: %s of the variance predicted one step ahead, %s simulated%s%n",
                 percent(armax.predicted()), percent(armax.simulated()), armax.converged() ? "" : "; not converged"));
         modes(text, armax.modes());
@@ -212,7 +213,8 @@ public record Identification(String recording, List<String> inputs, String outpu
         for (Mode mode : modes) {
             text.append(mode.determined() ? String.format(Locale.ROOT, "  natural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f%n",
                     mode.natural_frequency_hz(), 2 * mode.natural_frequency_sd_hz(), mode.damping_ratio(), 2 * mode.damping_ratio_sd())
-                    : String.format(Locale.ROOT, "  a mode near %.2g Hz that the recording does not determine%n", mode.natural_frequency_hz()));
+                    : String.format(Locale.ROOT, "  a mode near %.2g Hz that the recording does not determine%n",
+                            mode.natural_frequency_hz()));
         }
         if (modes.isEmpty()) {
             text.append(String.format("  no mode: nothing swings%n"));

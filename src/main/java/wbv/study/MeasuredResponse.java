@@ -123,7 +123,8 @@ public final class MeasuredResponse {
         if (needed > samples) {
             throw DataFault.in(inspection.name(), String.format(Locale.ROOT,
                     "%.3g s are too short for a frequency response from %d %s: "
-                    + "%s of %.3g s %s %.3g s", samples / rate, inputs.size(), inputs.size() == 1 ? "input" : "inputs",
+                            + "%s of %.3g s %s %.3g s",
+                    samples / rate, inputs.size(), inputs.size() == 1 ? "input" : "inputs",
                     segments == 1 ? "a segment" : segments + " segments", length / rate,
                     segments == 1 ? "needs" : "overlapping by half need", needed / rate));
         }
@@ -181,7 +182,8 @@ public final class MeasuredResponse {
             if (shared[shared.length / 2] > MOST_SHARED) {
                 throw DataFault.in(inspection.name(), String.format(Locale.ROOT,
                         "the input %s moves as the other inputs do (they explain "
-                        + "%.1f %% of it): what answers which cannot be told; leave one of %s out", inputs.get(i),
+                                + "%.1f %% of it): what answers which cannot be told; leave one of %s out",
+                        inputs.get(i),
                         100 * shared[shared.length / 2], inputs));
             }
         }

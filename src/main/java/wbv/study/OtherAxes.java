@@ -29,7 +29,7 @@ final class OtherAxes {
     private static final double LONGEST_BRIDGE = 0.05;
 
     /** The motion that an output follows. @param partial median partial coherence there @param bins at how many frequencies */
-    record Named(Channel channel, double partial, int bins) { }
+    record Named(Channel channel, double partial, int bins) {}
 
     private final List<Channel> candidates;
     private final int inputs;

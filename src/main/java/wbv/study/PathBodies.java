@@ -34,8 +34,9 @@ final class PathBodies {
 
     /** What else of the base's motion was recorded: its accelerations and angular rates along and about the other axes. */
     static List<Channel> motionsOf(List<Channel> recorded, Channel input, List<Channel> outputs) {
-        Quantity linear = input.quantity() == Quantity.SPECIFIC_FORCE || recorded.stream().noneMatch(c -> c.location().equals(input.location())
-                && c.quantity() == Quantity.ACCELERATION) ? Quantity.SPECIFIC_FORCE : Quantity.ACCELERATION;
+        Quantity linear = input.quantity() == Quantity.SPECIFIC_FORCE
+                || recorded.stream().noneMatch(c -> c.location().equals(input.location())
+                        && c.quantity() == Quantity.ACCELERATION) ? Quantity.SPECIFIC_FORCE : Quantity.ACCELERATION;
         return recorded.stream().filter(c -> c.location().equals(input.location()) && !c.equals(input) && !outputs.contains(c))
                 .filter(c -> c.quantity() == linear || c.quantity() == Quantity.ANGULAR_RATE).toList();
     }

@@ -42,7 +42,8 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
     private static String doubt(EquivalentBody body, double rate) {
         if (!body.carries()) {
             return body.share() > 0
-                    ? "a body explains only " + percent(body.share()) + (body.others().isEmpty() ? " of this motion" : " of what the base's other motions leave")
+                    ? "a body explains only " + percent(body.share())
+                            + (body.others().isEmpty() ? " of this motion" : " of what the base's other motions leave")
                     : "no body moves like this";
         }
         EquivalentBody.Mode slowest = body.modes().get(0);
@@ -100,12 +101,14 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
 
     /** Whether the other motions explain more than the digits shown hide. */
     public boolean othersAdd() {
-        return !others.isEmpty() && body.filter(one -> !percent(one.withOthers()).equals(percent(Math.max(0, one.explained())))).isPresent();
+        return !others.isEmpty()
+                && body.filter(one -> !percent(one.withOthers()).equals(percent(Math.max(0, one.explained())))).isPresent();
     }
 
     private String explains(EquivalentBody one) {
         return "explains " + percent(Math.max(0, one.explained())) + (!othersAdd() ? ""
-                : ", with " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " " + percent(Math.max(0, one.withOthers())));
+                : ", with " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " "
+                        + percent(Math.max(0, one.withOthers())));
     }
 
     /** For machines. Numbers that do not stand are not among them. */
@@ -118,7 +121,7 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
     }
 
     /** One mode; deviations are one standard deviation. */
-    record ModeFacts(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) { }
+    record ModeFacts(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) {}
 
     /**
      * The equivalent body for machines.
@@ -132,7 +135,7 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
      * @param to_s           its end
      */
     record Facts(List<ModeFacts> modes, String no_number, double explained, double explained_with, List<String> with, double from_s,
-                 double to_s) { }
+            double to_s) {}
 
     /** Never rounded up to all. */
     public static String percent(double share) {

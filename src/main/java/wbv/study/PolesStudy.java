@@ -22,7 +22,7 @@ import wbv.result.ResultsJson;
 public final class PolesStudy {
 
     /** A recording that took no part. */
-    public record HeldBack(String name, Recording recording, SensorRemoval.Prediction prediction, List<RemovalCheck> checks) { }
+    public record HeldBack(String name, Recording recording, SensorRemoval.Prediction prediction, List<RemovalCheck> checks) {}
 
     private final PoleTraining.Result result;
     private final List<HeldBack> heldBack = new ArrayList<>();
@@ -41,7 +41,7 @@ public final class PolesStudy {
 
     /** What {@code results.json} holds. @param recordings that were held back @param pole_hz of the place that stays measured */
     record Results(String measured, double pole_hz, int trained_on, int recordings, List<RemovalVerdict> predicted,
-                   Map<String, String> provenance) { }
+            Map<String, String> provenance) {}
 
     /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
@@ -78,7 +78,7 @@ public final class PolesStudy {
                 text.append(String.format(Locale.ROOT,
                         "held back %s: %s predicted, %.1f %% of its variance left (mean body %.1f %%), peak %+.2f Hz, %+.2f%n",
                         held.name(), check.channel(), 100 * check.error(), 100 * check.meanError(), check.frequencyOff()
-                        .orElse(Double.NaN),
+                                .orElse(Double.NaN),
                         check.magnitudeOff().orElse(Double.NaN)));
             }
         }

@@ -140,7 +140,7 @@ public final class ResponseAnalysis {
             OptionalDouble sitting = curve.apparentMass().sitting(curve.usable());
             modulus = curve.apparentMass().normalised(sitting.orElseThrow(() -> new DataFault(
                     "people's apparent masses can be compared only over their sitting mass, which is read near 0.5 Hz, where "
-                    + curve.name() + " is not usable")));
+                            + curve.name() + " is not usable")));
         }
         return new SubjectMean.Curve(curve.frequency(), modulus, curve.usable());
     }

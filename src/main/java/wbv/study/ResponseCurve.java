@@ -21,13 +21,13 @@ import wbv.signal.ResponseMatrix;
  * @param level confidence of the bands
  */
 public record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix all, Optional<ComplexSeries> h2,
-                     Optional<ComplexSeries> model, double plate, double level) {
+        Optional<ComplexSeries> model, double plate, double level) {
 
     /**
      * How a model and a response differ where it is usable. @param relative rms of the difference over rms @param inside the
      * band
      */
-    public record Misfit(double relative, double inside) { }
+    public record Misfit(double relative, double inside) {}
 
     /** Of every bin [Hz]. Not a copy. */
     public double[] frequency() {

@@ -12,12 +12,11 @@ import wbv.signal.ComplexSeries;
 /** Frequency responses as CSV: one line for each output, input and frequency. What is not known is an empty cell. */
 final class ResponseFile {
 
-    private static final String HEADER =
-            "output,input,unit,frequency_Hz,h1,h1_low,h1_high,phase_deg,phase_margin_deg,h2,h2_phase_deg,"
+    private static final String HEADER = "output,input,unit,frequency_Hz,h1,h1_low,h1_high,phase_deg,phase_margin_deg,h2,h2_phase_deg,"
             + "hv,hv_phase_deg,multiple_coherence,partial_coherence,ordinary_coherence,usable,unusable_because,other_cause,"
             + "input_density,output_density,model,model_phase_deg";
 
-    private ResponseFile() { }
+    private ResponseFile() {}
 
     /** @param provenance stands in comment lines before the header */
     static void write(List<ResponseCurve> curves, MeasuredResponse measured, Map<String, String> provenance, Path file) throws IOException {

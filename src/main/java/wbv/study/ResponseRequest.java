@@ -29,8 +29,8 @@ import wbv.sensing.SkinMount;
  * @param provenance what the report says of its own making, by name
  */
 public record ResponseRequest(RowSource source, String title, Map<String, RowSource> people, List<Channel> inputs,
-                              List<Channel> outputs, OptionalDouble segment, double level, Optional<Model> model, double plate, boolean wavelet,
-                              Map<String, SkinMount> skin, Optional<java.nio.file.Path> map, Map<String, String> provenance) {
+        List<Channel> outputs, OptionalDouble segment, double level, Optional<Model> model, double plate, boolean wavelet,
+        Map<String, SkinMount> skin, Optional<java.nio.file.Path> map, Map<String, String> provenance) {
 
     public ResponseRequest {
         if (!(level > 0 && level < 1)) {
@@ -60,7 +60,8 @@ public record ResponseRequest(RowSource source, String title, Map<String, RowSou
     List<Channel> chooseOutputs(List<Channel> channels, List<Channel> chosen, String name) {
         List<Channel> found = outputs.isEmpty() ? channels.stream().filter(channel -> !chosen.contains(channel)
                 && chosen.stream().anyMatch(input -> input.axis() == channel.axis()
-                && (input.quantity() == channel.quantity() || channel.quantity() == Quantity.FORCE))).toList() : outputs;
+                        && (input.quantity() == channel.quantity() || channel.quantity() == Quantity.FORCE)))
+                .toList() : outputs;
         if (found.isEmpty()) {
             throw DataFault.in(name, "has no other channel along the axis of " + chosen
                     + " that could answer; name one with --output");

@@ -21,9 +21,9 @@ import wbv.signal.SubjectMean;
  * @param provenance how the results came about
  */
 public record ResponseResults(AnalysisResults.RecordingFacts recording, List<String> inputs, List<String> outputs,
-                              double segment_s, double resolution_hz, double level, double[] frequency_hz,
-                              List<double[]> input_density, List<double[]> among, List<ResponseFacts> responses,
-                              Map<String, String> provenance) {
+        double segment_s, double resolution_hz, double level, double[] frequency_hz,
+        List<double[]> input_density, List<double[]> among, List<ResponseFacts> responses,
+        Map<String, String> provenance) {
 
     /**
      * One response.
@@ -37,12 +37,12 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      * @param people    mean of several people, null where there is one
      */
     public record ResponseFacts(String input, String output, String unit, double averages, PeakFacts peak, double usable_from_hz,
-                                double usable_to_hz, Polar h1, double[] margin, double[] phase_margin_rad, Optional<Polar> h2,
-                                Polar hv, double[] multiple_coherence, double[] partial_coherence,
-                                double[] ordinary_coherence, boolean[] usable, String[] unusable_because,
-                                String[] other_cause, Optional<OtherCauseFacts> other_motion, double[] output_density, Optional<Polar> model,
-                                Optional<MisfitFacts> misfit, Optional<DrivingPointFacts> driving_point,
-                                Optional<PeopleFacts> people) { }
+            double usable_to_hz, Polar h1, double[] margin, double[] phase_margin_rad, Optional<Polar> h2,
+            Polar hv, double[] multiple_coherence, double[] partial_coherence,
+            double[] ordinary_coherence, boolean[] usable, String[] unusable_because,
+            String[] other_cause, Optional<OtherCauseFacts> other_motion, double[] output_density, Optional<Polar> model,
+            Optional<MisfitFacts> misfit, Optional<DrivingPointFacts> driving_point,
+            Optional<PeopleFacts> people) {}
 
     /**
      * A motion that is no input and may move the output.
@@ -68,7 +68,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      *
      * @param at_end whether the highest value stands at the end of what is usable, so that the curve may rise further
      */
-    public record PeakFacts(double frequency_hz, double modulus, double margin, boolean at_end) { }
+    public record PeakFacts(double frequency_hz, double modulus, double margin, boolean at_end) {}
 
     /**
      * How a model differs from H1.
@@ -76,7 +76,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      * @param relative rms of model less H1 over that of H1
      * @param inside_band share of usable frequencies inside the band
      */
-    public record MisfitFacts(double relative, double inside_band) { }
+    public record MisfitFacts(double relative, double inside_band) {}
 
     /**
      * A force over an acceleration at one place.
@@ -84,11 +84,11 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      * @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised
      */
     public record DrivingPointFacts(OptionalDouble sitting_mass_kg, double plate_kg, double[] normalised,
-                                    double[] impedance_ns_per_m, double[] absorbed_power_w_per_hz, double absorbed_power_w) { }
+            double[] impedance_ns_per_m, double[] absorbed_power_w_per_hz, double absorbed_power_w) {}
 
     /** Mean of several people's curves, stretched so that their peaks meet. */
     public record PeopleFacts(List<String> names, int averaged, double peak_hz, double peak_sd_hz, double peak, double peak_sd,
-                              double[] mean, double[] sd, double[] plain_mean) { }
+            double[] mean, double[] sd, double[] plain_mean) {}
 
     static ResponseResults of(ResponseAnalysis analysis) {
         MeasuredResponse measured = analysis.measured();

@@ -173,7 +173,8 @@ public final class Tracking {
         String source = request.source().toString();
         return String.format(Locale.ROOT,
                 "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d%s%s)"
-                + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)", one.recipe().method().word(), one.recipe().degrees(),
+                        + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)",
+                one.recipe().method().word(), one.recipe().degrees(),
                 request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
                 request.others().isEmpty() ? "" : " -x " + names(","), detector(),
                 source.contains(" ") ? "'" + source + "'" : source,

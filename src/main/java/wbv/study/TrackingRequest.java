@@ -24,9 +24,9 @@ import wbv.recording.inspect.RowSource;
  * @param provenance what the report says of its own making, by name
  */
 public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
-                              List<Channel> others, List<EstimatorDesign> recipes,
-                              double frequency, double damping, double density, String detector,
-                              Map<String, String> provenance) {
+        List<Channel> others, List<EstimatorDesign> recipes,
+        double frequency, double damping, double density, String detector,
+        Map<String, String> provenance) {
 
     public TrackingRequest {
         if (input.size() > 1) {

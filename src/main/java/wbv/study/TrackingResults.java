@@ -17,9 +17,9 @@ import wbv.recording.Channel;
  * @param tracks    one for each output and estimator
  */
 public record TrackingResults(String recording, double rate_hz, double duration_s, String input,
-                              List<String> crossed_by, Map<String, PathBody.Facts> bodies,
-                              List<TrackFacts> tracks,
-                              Map<String, String> provenance) {
+        List<String> crossed_by, Map<String, PathBody.Facts> bodies,
+        List<TrackFacts> tracks,
+        Map<String, String> provenance) {
 
     /**
      * What an estimator knew after the last sample, and how it fared.
@@ -28,13 +28,13 @@ public record TrackingResults(String recording, double rate_hz, double duration_
      * @param mse_of_variance the same over the output's variance
      */
     public record TrackFacts(String output, String estimator, int degrees, List<ModeFacts> modes, double share, double mse,
-                             double mse_of_variance, double mean_nis, double unexplained_rms, double excited_share,
-                             double[] changes_s, List<String> changes_heard_by, long cuts, long divergences, long reseeds, long gaps, long missing,
-                             String caution) { }
+            double mse_of_variance, double mean_nis, double unexplained_rms, double excited_share,
+            double[] changes_s, List<String> changes_heard_by, long cuts, long divergences, long reseeds, long gaps, long missing,
+            String caution) {}
 
     /** One mode. */
     public record ModeFacts(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio,
-                            double damping_ratio_sd) { }
+            double damping_ratio_sd) {}
 
     static TrackingResults of(Tracking tracking) {
         List<TrackFacts> facts = new ArrayList<>();

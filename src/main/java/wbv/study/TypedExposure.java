@@ -21,7 +21,7 @@ import wbv.exposure.Vibration;
 public record TypedExposure(DailyExposure day) {
 
     /** A spell of vibration. @param levels weighted r.m.s. acceleration a_w [m/s²] by axis, without the factors k @param hours a day */
-    public record Spell(Map<SeatAxis, Double> levels, double hours) { }
+    public record Spell(Map<SeatAxis, Double> levels, double hours) {}
 
     /** The same for machines. @param points by the HSE's count @param minutesToAction a day of this mix of spells; NaN if never */
     public record Results(List<SpellResults> spells, Map<String, Double> a8ByAxis, String worstAxis, double a8, double points,
@@ -29,7 +29,7 @@ public record TypedExposure(DailyExposure day) {
 
     /** One spell for machines. @param levels a_w [m/s²] by axis @param points by axis, which add up over the spells */
     public record SpellResults(double minutes, Map<String, Double> levels, Map<String, Double> a8, Map<String, Double> points,
-                               double minutesToActionAlone, double minutesToLimitAlone) { }
+            double minutesToActionAlone, double minutesToLimitAlone) {}
 
     /** A day of such spells. @throws wbv.recording.DataFault if the spells last longer than a day */
     public static TypedExposure of(List<Spell> spells) {
@@ -55,7 +55,8 @@ public record TypedExposure(DailyExposure day) {
                 a8.put(letter, task.a8(axis));
                 points.put(letter, Directive.points(task.a8(axis)));
             });
-            spells.add(new SpellResults(task.minutes(), levels, a8, points, task.minutesUntilA8(Directive.ACTION), task.minutesUntilA8(Directive.LIMIT)));
+            spells.add(new SpellResults(task.minutes(), levels, a8, points, task.minutesUntilA8(Directive.ACTION),
+                    task.minutesUntilA8(Directive.LIMIT)));
         }
         Map<String, Double> all = new LinkedHashMap<>();
         Arrays.stream(SeatAxis.values()).filter(this::given).forEach(axis -> all.put(String.valueOf(axis.letter()), day.a8(axis)));
@@ -82,15 +83,20 @@ public record TypedExposure(DailyExposure day) {
                     String.format(Locale.ROOT, "  %s %s  a_w %.3f m/s², k a_w %.3f, A(8) %.3f, %.0f points%n", axis.letter(),
                             axis.weighting().symbol(), level.rms(), task.factored(axis), task.a8(axis), Directive.points(task.a8(axis)))));
         }
-        String absent = Arrays.stream(SeatAxis.values()).filter(axis -> day.tasks().stream().anyMatch(task -> !task.levels().containsKey(axis)))
+        String absent = Arrays.stream(SeatAxis.values())
+                .filter(axis -> day.tasks().stream().anyMatch(task -> !task.levels().containsKey(axis)))
                 .map(axis -> String.valueOf(axis.letter())).collect(Collectors.joining(" and "));
-        text.append(String.format(Locale.ROOT, "A(8) is %.2f m/s² along %s: %s (%.0f points). %s value after %s a day, limit value after %s.%s%n", day.a8(),
+        text.append(String.format(Locale.ROOT,
+                "A(8) is %.2f m/s² along %s: %s (%.0f points). %s value after %s a day, limit value after %s.%s%n", day.a8(),
                 day.worstA8().letter(), day.verdict().words(), day.points(), day.tasks().size() > 1 ? "In this mix: action" : "Action",
                 duration(day.minutesUntilA8(Directive.ACTION)), duration(day.minutesUntilA8(Directive.LIMIT)),
-                absent.isEmpty() || day.verdict() == Directive.Verdict.ABOVE_LIMIT ? "" : " Not given along " + absent + ": the whole may be higher."));
+                absent.isEmpty() || day.verdict() == Directive.Verdict.ABOVE_LIMIT ? ""
+                        : " Not given along " + absent + ": the whole may be higher."));
         double dose = estimatedDose();
-        return text.append(String.format(Locale.ROOT, "The daily dose was not measured; without shocks it would be about %.1f m/s^1.75: %s.%n", dose,
-                Directive.Verdict.ofVdv(dose).words())).toString();
+        return text.append(
+                String.format(Locale.ROOT, "The daily dose was not measured; without shocks it would be about %.1f m/s^1.75: %s.%n", dose,
+                        Directive.Verdict.ofVdv(dose).words()))
+                .toString();
     }
 
     private static String duration(double minutes) {

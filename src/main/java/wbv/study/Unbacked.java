@@ -8,7 +8,7 @@ import wbv.signal.Backing;
 /** Where a frequency response is not to be used, and why: in words, for files and people. */
 public final class Unbacked {
 
-    private Unbacked() { }
+    private Unbacked() {}
 
     /** Why, as a clause. @param several whether there are several inputs */
     public static String words(Backing reason, boolean several) {
@@ -49,7 +49,7 @@ public final class Unbacked {
         String what = words(Backing.NOT_CAUSED, several) + " at " + caused + " of " + excited + " excited frequencies";
         return what + others.likeliest(output, backing).map(found -> ": highest partial coherence there with " + found.channel() + " ("
                 + Digits.significant(found.partial(), 2) + " at " + found.bins() + " of them)").orElse(others.recorded()
-                ? ": none of the other motions recorded there shows in it" : "");
+                        ? ": none of the other motions recorded there shows in it" : "");
     }
 
     /** How often something backs or fails, from a bin on. @param backing Not modified. */

@@ -12,7 +12,7 @@ import wbv.signal.WaveletResponse;
 /** Responses through time as CSV: one line for each output, moment and frequency. What is not known is an empty cell. */
 final class WaveletFile {
 
-    private WaveletFile() { }
+    private WaveletFile() {}
 
     /** @param provenance stands in comment lines before the header */
     static void write(ResponseAnalysis analysis, Map<String, String> provenance, Path file) throws IOException {

@@ -34,15 +34,15 @@ public final class WithoutSensors {
     /** Results for machines. */
     record Results(String recording, String finding, List<Place> absent, @JsonProperty("poles_seen") int seen,
             @JsonProperty("windows_lost") int lost,
-                   @JsonProperty("polygons_cut_inside") double inside, Map<String, String> provenance) { }
+            @JsonProperty("polygons_cut_inside") double inside, Map<String, String> provenance) {}
 
     /**
      * @param frequency of the body at the end, NaN-free; errors are null where the sensor was there all the time and nothing to
      * compare
      */
     record Place(String channel, @JsonProperty("frequency_Hz") double frequency, double damping,
-                 @JsonProperty("error_over_variance") Double error, @JsonProperty("peak_off_Hz") Double frequencyOff,
-                 @JsonProperty("peak_off") Double magnitudeOff) { }
+            @JsonProperty("error_over_variance") Double error, @JsonProperty("peak_off_Hz") Double frequencyOff,
+            @JsonProperty("peak_off") Double magnitudeOff) {}
 
     private WithoutSensors(TrainedPoles trained, String name, Recording recording, List<Channel> absent) {
         this.trained = trained;
@@ -62,9 +62,9 @@ public final class WithoutSensors {
         List<Channel> absent = new ArrayList<>();
         for (String place : places) {
             absent.add(trained.layout().absent().stream().filter(channel -> channel.location().equals(place)).findFirst()
-                    .orElseThrow(() ->
-                    new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout()
-                            .absent())));
+                    .orElseThrow(
+                            () -> new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout()
+                                    .absent())));
         }
         return new WithoutSensors(trained, name, recording, absent);
     }
@@ -135,7 +135,7 @@ public final class WithoutSensors {
             places.add(new Place(channel.toString(), body.frequency()[last], body.damping()[last], check == null ? null
                     : (Double) check.error(),
                     check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff()
-                    .orElse(null)));
+                            .orElse(null)));
         }
         return new Results(name, finding(), places, prediction.seen().size(), prediction.lost(), prediction.inside(), provenance);
     }
@@ -151,7 +151,7 @@ public final class WithoutSensors {
             RemovalVerdict verdict = RemovalVerdict.of(channel, checks);
             said.add(!verdict.tried() ? "how well " + channel + " is predicted cannot be told, since nothing measured it"
                     : verdict.holds() ? String.format(Locale.ROOT, "%s is predicted but for %.1f %% of its variance", channel, 100
-                    * verdict.most()) : channel + " is not predicted: " + verdict.reason());
+                            * verdict.most()) : channel + " is not predicted: " + verdict.reason());
         }
         String text = String.join("; ", said);
         return Character.toUpperCase(text.charAt(0)) + text.substring(1) + ".";

@@ -14,7 +14,7 @@ public final class AdmittedClasses {
             "java.util.concurrent.ConcurrentHashMap", "java.util.concurrent.ConcurrentHashMap$*", "java.util.concurrent.locks.*",
             "org.ejml.data.*", "java.math.*", "java.text.*", "java.time.*", "java.io.File", "!*");
 
-    private AdmittedClasses() { }
+    private AdmittedClasses() {}
 
     /** Admits these classes alone, and says which one it refused. */
     public static ObjectInputFilter filter() {

@@ -34,7 +34,7 @@ public class DiagnoseRecording extends AuxiliarMainTask {
             Model model = PublishedModels.find(Words.needed(modelOption));
             Recording recording = new RecordingFile(Path.of(Words.needed(fileOption))).load();
             Diagnosis diagnosis = Diagnoser.diagnose(PublishedModels.named(modelOption.getValue())
-                            ? model.seenBy(recording.channels()) : model, recording,
+                    ? model.seenBy(recording.channels()) : model, recording,
                     (step, share) -> monitor.setCurrentActivity(step, share));
             return text(diagnosis);
         } catch (IOException e) {

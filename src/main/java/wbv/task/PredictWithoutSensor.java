@@ -51,7 +51,7 @@ public class PredictWithoutSensor extends AuxiliarMainTask {
             "wbv.learn.SensorRemover");
     public final ClassOption streamOption = new ClassOption("stream", 's', "Base and measured place; the absent place is the class.",
             InstanceStream.class, "wbv.stream.RigStream -e 'subject=1 regime=1 seconds=600' -i "
-            + "platform.acc.z,platform.acc.x,platform.gyr.y,seat.acc.z");
+                    + "platform.acc.z,platform.acc.x,platform.gyr.y,seat.acc.z");
     public final FloatOption removedOption = new FloatOption("removed", 'a', "When the sensor goes [s].", 300, 0, 1e12);
     public final FloatOption intervalOption = new FloatOption("interval", 'e', "Time from one row to the next [s].", 30, 1e-3, 1e9);
     public final IntOption rowsOption = new IntOption("rows", 'n', "Newest rows that are the result.", 1000, 1, 1000000);
@@ -254,7 +254,8 @@ public class PredictWithoutSensor extends AuxiliarMainTask {
 
     private State state(InstanceStream stream) throws IOException {
         if (named(checkpointOption) && Files.exists(Path.of(checkpointOption.getValue()))) {
-            try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(Files.readAllBytes(Path.of(checkpointOption.getValue()))))) {
+            try (ObjectInputStream in = new ObjectInputStream(
+                    new ByteArrayInputStream(Files.readAllBytes(Path.of(checkpointOption.getValue()))))) {
                 in.setObjectInputFilter(AdmittedClasses.filter());
                 String words = in.readUTF();
                 if (!words.equals(words())) {
@@ -264,7 +265,8 @@ public class PredictWithoutSensor extends AuxiliarMainTask {
             } catch (DataFault wrong) {
                 throw wrong;
             } catch (IOException | ClassNotFoundException | RuntimeException damaged) {
-                throw DataFault.in(checkpointOption.getValue(), "is no checkpoint of this version of wbv; take it away to begin anew", damaged);
+                throw DataFault.in(checkpointOption.getValue(), "is no checkpoint of this version of wbv; take it away to begin anew",
+                        damaged);
             }
         }
         Classifier learner = (Classifier) getPreparedClassOption(learnerOption);

@@ -24,7 +24,7 @@ public final class TaskRunner {
 
     private static final String INDENT = "  caused by ";
 
-    private TaskRunner() { }
+    private TaskRunner() {}
 
     public static void main(String[] words) {
         AdmittedClasses.enforce();

@@ -56,7 +56,7 @@ public class TrackBody extends AuxiliarMainTask {
         learner.setModelContext(stream.getHeader());
         learner.resetLearning();
         if (tracksOption.getValue() == null || tracksOption.getValue().isEmpty()) {
-            return follow(stream, learner, monitor, (track, time) -> { });
+            return follow(stream, learner, monitor, (track, time) -> {});
         }
         try (TrackFile file = TrackFile.create(Path.of(tracksOption.getValue()))) {
             LearningCurve curve = follow(stream, learner, monitor, file::write);

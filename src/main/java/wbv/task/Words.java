@@ -7,7 +7,7 @@ import java.util.List;
 /** Several words in one option of a task. */
 final class Words {
 
-    private Words() { }
+    private Words() {}
 
     /** What an option says that a task cannot do without. @throws IllegalArgumentException if it says nothing */
     static String needed(StringOption option) {

@@ -39,7 +39,7 @@ public final class BodyProof {
             "platform.gyr.z");
     private static final String FREE = "usual,-noise,-bias,-drift,-tilt,-resolution";
 
-    private BodyProof() { }
+    private BodyProof() {}
 
     public static void main(String[] words) {
         double seconds = Double.parseDouble(words[1]);
@@ -72,7 +72,8 @@ public final class BodyProof {
     }
 
     private static List<Optional<EquivalentBody>> bodies(Recording recording, int degrees) {
-        List<double[]> inputs = Stream.concat(Stream.of("platform.acc.z"), MOTIONS.stream()).map(Channel::parse).map(recording::values).toList();
+        List<double[]> inputs = Stream.concat(Stream.of("platform.acc.z"), MOTIONS.stream()).map(Channel::parse).map(recording::values)
+                .toList();
         MotionWindow window = new MotionWindow(RATE, inputs.size(), inputs.get(0).length);
         double[] row = new double[inputs.size()];
         for (int t = 0; t < inputs.get(0).length; t++) {

@@ -18,7 +18,7 @@ final class CompiledPeer {
     private final Path data;
 
     /** What the loop says. @param nanoseconds of processor time per sample @param frequency [Hz] @param damping ratio */
-    record Said(double nanoseconds, double frequency, double damping) { }
+    record Said(double nanoseconds, double frequency, double damping) {}
 
     private CompiledPeer(Path program, Path data) {
         this.program = program;

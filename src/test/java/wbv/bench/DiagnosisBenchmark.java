@@ -49,6 +49,6 @@ public class DiagnosisBenchmark {
 
     @Benchmark
     public Diagnosis diagnosis() {
-        return Diagnoser.diagnose(model, recording, (step, share) -> { });
+        return Diagnoser.diagnose(model, recording, (step, share) -> {});
     }
 }

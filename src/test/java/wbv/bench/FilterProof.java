@@ -30,7 +30,7 @@ public final class FilterProof {
     private static final double RATE = 60;
     private static final double RMS = 0.8;
 
-    private FilterProof() { }
+    private FilterProof() {}
 
     public static void main(String[] words) {
         switch (words[0]) {
@@ -78,8 +78,8 @@ public final class FilterProof {
 
     private static Estimator estimator(Method method, double f, double zeta, double snr, long seed) {
         double noise = Double.isFinite(snr) ? RMS * Math.pow(10, -snr / 20) : Spec.noise(RATE);
-        return EstimatorDesign.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () ->
-                new AdwinAlarm(0.002));
+        return EstimatorDesign.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT),
+                () -> new AdwinAlarm(0.002));
     }
 
     /** Random starts, ζ in 0.05 … 0.95 and f0 in 1 … 15 Hz: the share within 5 % of the truth after 30 s. */
@@ -138,7 +138,7 @@ public final class FilterProof {
         double[] learned = Arrays.stream(found).mapToDouble(x -> x[1]).sorted().toArray();
         System.out.printf(Locale.ROOT,
                 "| %s | %s | %d | heard ≤1 s %.1f %% | median %.2f s | 99 %% %.2f s "
-                + "| f within 3 %%: ≤1 s %.1f %% median %.2f s, 99 %% %.2f s | early %d |%n",
+                        + "| f within 3 %%: ≤1 s %.1f %% median %.2f s, 99 %% %.2f s | early %d |%n",
                 method.word(), snr, count, 100.0 * Arrays.stream(heard).filter(t -> t <= 1).count() / count, heard[count / 2],
                 heard[(int) (0.99 * (count - 1))],
                 100.0 * Arrays.stream(learned).filter(t -> t <= 1).count() / count,
@@ -215,7 +215,7 @@ public final class FilterProof {
      * @param failed   lost in the part that counts, or no better than foreseeing nothing
      * @param bodiless the samples did not tell frequency and damping ratio
      */
-    private record Cell(double mse, double relative, double apart, boolean failed, boolean bodiless) { }
+    private record Cell(double mse, double relative, double apart, boolean failed, boolean bodiless) {}
 
     /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, people by regimes. */
     private static void cells(Asked asked, List<Variant> variants) {
@@ -261,8 +261,8 @@ public final class FilterProof {
             double[][] others = variant.others(suffix.substring(1)).stream()
                     .map(other -> recording.values(Channel.parse(asked.input + "." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
-                Estimator estimator = EstimatorDesign.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES).estimator(spec, () ->
-                        new AdwinAlarm(0.002));
+                Estimator estimator = EstimatorDesign.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES)
+                        .estimator(spec, () -> new AdwinAlarm(0.002));
                 cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others,
                         recording.values(Channel.parse(PLACES.get(place) + suffix)), spec);
             }

@@ -68,7 +68,7 @@ public final class FollowingProof {
         }
     }
 
-    private FollowingProof() { }
+    private FollowingProof() {}
 
     public static void main(String[] words) {
         int count = Integer.parseInt(words[1]);
@@ -133,8 +133,9 @@ public final class FollowingProof {
     }
 
     private static void following(int count, long seed, List<String> methods) {
-        System.out.println("| signal to noise | stiffness | estimator | f0, rms error | over ekf | over ekf, 9 of 10 runs below | ζ, rms error "
-                + "| over ekf | changes heard a run |\n|---|---|---|---|---|---|---|---|---|");
+        System.out.println(
+                "| signal to noise | stiffness | estimator | f0, rms error | over ekf | over ekf, 9 of 10 runs below | ζ, rms error "
+                        + "| over ekf | changes heard a run |\n|---|---|---|---|---|---|---|---|---|");
         for (double snr : new double[] {Double.POSITIVE_INFINITY, 20, 10}) {
             for (Course course : Course.values()) {
                 Run[] plain = runs(Method.EKF, Detectors.USUAL, course, snr, count, seed);
@@ -170,7 +171,7 @@ public final class FollowingProof {
     }
 
     /** What was heard of sensors whose noise grows by a factor at 45 s, in the 45 s after. */
-    public record Noisier(double delay, boolean early, boolean takenForTheBody, double frequency) { }
+    public record Noisier(double delay, boolean early, boolean takenForTheBody, double frequency) {}
 
     /** One run. @param factor of both sensors' noise, from 0.04 m/s² on */
     public static Noisier noisier(Method method, Supplier<Alarm> alarms, double factor, long seed) {

@@ -32,7 +32,7 @@ public final class LiveLatency {
     private static final double WARM = 15;
     private static final Pattern TIME = Pattern.compile("\"seat\":\"(\\d+)\".*?\"t(?:_s)?\":([0-9.]+)");
 
-    private LiveLatency() { }
+    private LiveLatency() {}
 
     public static void main(String[] words) throws IOException, InterruptedException {
         double seconds = Double.parseDouble(words[0]);
@@ -48,8 +48,10 @@ public final class LiveLatency {
             onlooker.start();
         }
         send(List.of(cat, own), seconds, seats);
-        System.out.printf(Locale.ROOT, "`wbv live` took %.1f s of processor time for %.0f s of %d seats%n%n", own.process.info().totalCpuDuration()
-                .orElseThrow().toMillis() / 1e3, seconds, seats);
+        System.out.printf(Locale.ROOT, "`wbv live` took %.1f s of processor time for %.0f s of %d seats%n%n",
+                own.process.info().totalCpuDuration()
+                        .orElseThrow().toMillis() / 1e3,
+                seconds, seats);
         System.out.println("| process | when | results | p50 [ms] | p90 | p99 | greatest |\n|---|---|---|---|---|---|---|");
         cat.tell("`cat`");
         own.tell("`wbv live`");

@@ -38,7 +38,7 @@ public class NetworkBenchmark {
 
     @Setup
     public void load() {
-        motion = RigTrials.of(Bodies.ONE_DOF, 1, 1, share -> { }).get(0).motion();
+        motion = RigTrials.of(Bodies.ONE_DOF, 1, 1, share -> {}).get(0).motion();
         motions = Collections.nCopies(BATCH, motion);
         reader = new Reader(TrainedNetwork.shipped(1));
     }

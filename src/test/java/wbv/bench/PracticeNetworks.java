@@ -37,7 +37,7 @@ public final class PracticeNetworks {
     private static final int LENGTH = 219;
     private static final int HOP = 60;
 
-    private PracticeNetworks() { }
+    private PracticeNetworks() {}
 
     public static void main(String[] arguments) throws IOException {
         Path folder = arguments.length > 0 ? Path.of(arguments[0]) : PRACTICE;

@@ -39,7 +39,7 @@ public class ReadingBenchmark {
     public void convert() throws IOException {
         csv = Files.createTempDirectory("wbv-bench").resolve("ride.csv");
         try (RowReader reader = new RecordingFile(ARFF).open();
-             RecordingWriter writer = RecordingWriter.create(csv, reader.channels(), reader.metadata())) {
+                RecordingWriter writer = RecordingWriter.create(csv, reader.channels(), reader.metadata())) {
             double[] row = new double[1 + reader.channels().size()];
             while (reader.read(row)) {
                 writer.write(row);

@@ -66,13 +66,15 @@ public final class SeatTable {
         List<String> wanted = words.length == 0 ? List.copyOf(rows.keySet()) : List.of(words);
         for (String name : wanted) {
             double microseconds = table.time(rows.get(name));
-            System.out.printf(Locale.ROOT, "| %s | %.2f | %.0f | %.0f |%n", name, microseconds, 1e6 / microseconds, 1e6 / rate / microseconds);
+            System.out.printf(Locale.ROOT, "| %s | %.2f | %.0f | %.0f |%n", name, microseconds, 1e6 / microseconds,
+                    1e6 / rate / microseconds);
         }
         System.err.println(table.sink);
     }
 
     private static List<SeatPlan.Body> bodies(double rate, String method) {
-        return SeatPlan.usual(rate, channels(ALL.subList(0, 2)), Method.named(method).orElseThrow(), false, Optional.empty(), EVERY).bodies();
+        return SeatPlan.usual(rate, channels(ALL.subList(0, 2)), Method.named(method).orElseThrow(), false, Optional.empty(), EVERY)
+                .bodies();
     }
 
     private static List<Channel> channels(List<String> names) {

@@ -26,7 +26,7 @@ public final class SeatTiming {
     private static final int SAMPLES = (int) (60 * SeatController.RATE);
     private static final int RUNS = 9;
 
-    private SeatTiming() { }
+    private SeatTiming() {}
 
     /** Prints the table. */
     public static void main(String[] arguments) {
@@ -35,8 +35,10 @@ public final class SeatTiming {
         ApparentSitter middle = new ApparentSitter(5, 60, 5, 0.35);
         SitterPrior prior = SitterPrior.wide(middle, 4.8, 0.35);
         print("skyhook", new SkyhookSeat(seat, SkyhookSeat.Kind.CONTINUOUS, 1500));
-        print("active-lqg, fixed", new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new ToldSitter(middle)));
-        print("active-lqg, scheduled", new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new FollowedSitter(seat, prior)));
+        print("active-lqg, fixed",
+                new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new ToldSitter(middle)));
+        print("active-lqg, scheduled",
+                new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new FollowedSitter(seat, prior)));
         ToldSitter restless = new ToldSitter(middle);
         SeatController designing = new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, restless);
         print("active-lqg, always designing", designing, i -> restless.tell(middle, 1 + 0.2 * Math.sin(0.1 * i)));
@@ -46,7 +48,7 @@ public final class SeatTiming {
     }
 
     private static void print(String name, SeatController controller) {
-        print(name, controller, i -> { });
+        print(name, controller, i -> {});
     }
 
     private static void print(String name, SeatController controller, IntConsumer before) {

@@ -86,7 +86,8 @@ public final class SpeedTable {
         double ns = median(own);
         System.out.printf(Locale.ROOT, "| %s | %.3g | %.0f | %s | %.1f | %.2f |%n", row, ns / 1000, 1e9 / 60 / ns,
                 Double.isNaN(ratios[0]) ? "" : String.format(Locale.ROOT, "%.2f of `%s` (%.3g µs)", median(ratios), loop,
-                        median(compiled) / 1000), ns / median(adwin), bytes);
+                        median(compiled) / 1000),
+                ns / median(adwin), bytes);
     }
 
     private double feed(Estimator estimator, double seconds) {

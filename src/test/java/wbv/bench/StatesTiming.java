@@ -29,7 +29,7 @@ public final class StatesTiming {
     private static final int FEATURES = 18;
     private static final int RUNS = 5;
 
-    private StatesTiming() { }
+    private StatesTiming() {}
 
     public static void main(String[] words) {
         Random random = new Random(1);
@@ -45,7 +45,7 @@ public final class StatesTiming {
                 }
             }) / (10.0 * ROWS);
             double rounds = median(() -> new BaumWelch(10, 0, 0.1, shape, 1e-6).fit(model, List.<double[][]>of(rows),
-                    share -> { }));
+                    share -> {}));
             System.out.printf(Locale.ROOT, "%s: %.0f ns a sample (%.2f million a second), ten rounds %.2f s%n", shape,
                     1e9 * sample,
                     1e-6 / sample, rounds);

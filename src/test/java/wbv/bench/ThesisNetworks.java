@@ -46,7 +46,7 @@ public final class ThesisNetworks {
     private static final Channel SEAT = Channel.parse("seat.acc.z");
     private static final Channel STERNUM = Channel.parse("sternum.acc.z");
 
-    private ThesisNetworks() { }
+    private ThesisNetworks() {}
 
     /** A ride with what is true of the sitter, on average: slowest two modes, damping ratio and pulsation [rad/s] each. */
     private record Ride(String name, Recording recording, double[] truth) {
@@ -94,8 +94,9 @@ public final class ThesisNetworks {
             long before = System.nanoTime();
             Settings settings = architecture.settings();
             TrainingData data = data(architecture, rides, modes, HOP);
-            Trainer.Result result = new Trainer(new TrainingOrder(data, architecture, epochs > 0 ? settings.withEpochs(epochs) : settings, 1),
-                    Optional.empty(), (step, share) -> { }).train();
+            Trainer.Result result = new Trainer(
+                    new TrainingOrder(data, architecture, epochs > 0 ? settings.withEpochs(epochs) : settings, 1),
+                    Optional.empty(), (step, share) -> {}).train();
             List<Losses> losses = result.losses().get(0);
             System.out.printf(Locale.ROOT, "%s, %d images, %d epochs, %.0f s: loss %.4f, held back %.4f (first epoch %.4f, %.4f)%n", word,
                     data.images(), losses.size(), (System.nanoTime() - before) * 1e-9, losses.get(losses.size() - 1).train(),
@@ -103,12 +104,14 @@ public final class ThesisNetworks {
             models.add(result.model());
         }
         Map<String, Ridge> ridges = new LinkedHashMap<>();
-        TrainingData.Split split = data(Architecture.THESIS_CNN, rides, modes, HOP).split((step, share) -> { });
+        TrainingData.Split split = data(Architecture.THESIS_CNN, rides, modes, HOP).split((step, share) -> {});
         for (Architecture architecture : List.of(Architecture.THESIS_CNN, Architecture.POOLED)) {
-            List<LabelledMotion> some = IntStream.range(0, split.learned().size()).filter(i -> i % 2 == 0).mapToObj(split.learned()::get).toList();
+            List<LabelledMotion> some = IntStream.range(0, split.learned().size()).filter(i -> i % 2 == 0).mapToObj(split.learned()::get)
+                    .toList();
             ridges.put("ridge on images of " + architecture.word(), Ridge.fit(architecture.imaging(), some, split.held()));
         }
-        Evaluation evaluation = Evaluation.of(modes == 1 ? Bodies.PEOPLE : Bodies.PEOPLE_AS_TWO, fresh, models, ridges, () -> new AdwinAlarm(0.002));
+        Evaluation evaluation = Evaluation.of(modes == 1 ? Bodies.PEOPLE : Bodies.PEOPLE_AS_TWO, fresh, models, ridges,
+                () -> new AdwinAlarm(0.002));
         double[] spread = models.get(0).scaling().deviation();
         System.out.println("spread of those learned from: " + Arrays.toString(spread));
         for (Evaluation.Row row : evaluation.rows()) {
@@ -134,7 +137,7 @@ public final class ThesisNetworks {
     }
 
     private static List<LabelledMotion> all(TrainingData data) {
-        TrainingData.Split split = data.split((step, share) -> { });
-        return Stream.of(split.learned(), split.held(), data.further((step, share) -> { })).flatMap(List::stream).toList();
+        TrainingData.Split split = data.split((step, share) -> {});
+        return Stream.of(split.learned(), split.held(), data.further((step, share) -> {})).flatMap(List::stream).toList();
     }
 }

@@ -54,7 +54,8 @@ class MatrixFormTest {
         }
         RealMatrix by = turn.transpose();
         RealMatrix back = new LUDecomposition(turn).getSolver().getInverse();
-        alike(expected, matrices(by.multiply(m).multiply(turn), by.multiply(c).multiply(turn), by.multiply(k).multiply(turn), back.multiply(r), reads.multiply(turn)));
+        alike(expected, matrices(by.multiply(m).multiply(turn), by.multiply(c).multiply(turn), by.multiply(k).multiply(turn),
+                back.multiply(r), reads.multiply(turn)));
     }
 
     @Test
@@ -76,10 +77,12 @@ class MatrixFormTest {
                 {"name": "net", "subject": "rig", "axis": "z", "base": {"name": "table", "sensors": ["table.acc.z"]},
                  "matrices": {"coordinates": ["a", "b"], "M": [[2, 0], [0, 3]], "C": [[5, 0], [0, 2]], "K": %s, "R": [[1], [1]]}}
                 """;
-        for (Map.Entry<String, String> each : Map.of("[[900, -400], [-300, 700]]", "'K' must be symmetric", "[[900, -900], [-900, 700]]", "must not give energy",
-                "[[1e16, -400], [-400, 700]]", "'K' is 1.0E16, which no body or link has; at most 1.0E15 is read",
-                "[[900, \"x\"], [-400, 700]]", "'K' must hold numbers only", "[[900, -400]]", "'K' must have 2 rows of 2 numbers",
-                "[{\"a\": 900}, [-400, 700]]", "'K' must hold numbers only").entrySet()) {
+        for (Map.Entry<String, String> each : Map
+                .of("[[900, -400], [-300, 700]]", "'K' must be symmetric", "[[900, -900], [-900, 700]]", "must not give energy",
+                        "[[1e16, -400], [-400, 700]]", "'K' is 1.0E16, which no body or link has; at most 1.0E15 is read",
+                        "[[900, \"x\"], [-400, 700]]", "'K' must hold numbers only", "[[900, -400]]", "'K' must have 2 rows of 2 numbers",
+                        "[{\"a\": 900}, [-400, 700]]", "'K' must hold numbers only")
+                .entrySet()) {
             DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(String.format(text, each.getKey()), "net.json"));
             assertTrue(fault.getMessage().contains(each.getValue()), fault.getMessage());
         }

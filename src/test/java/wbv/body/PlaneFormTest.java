@@ -89,7 +89,8 @@ class PlaneFormTest {
                         off += Math.pow(slope - response.slopes()[p][o][k], 2);
                         size += slope * slope;
                     }
-                    assertTrue(Math.sqrt(off) <= 1e-4 * Math.sqrt(size) + 1e-15, "parameter " + p + " of " + structure.parameters() + ", output " + o + ": " + off + " of " + size);
+                    assertTrue(Math.sqrt(off) <= 1e-4 * Math.sqrt(size) + 1e-15,
+                            "parameter " + p + " of " + structure.parameters() + ", output " + o + ": " + off + " of " + size);
                 }
             }
         }
@@ -101,7 +102,8 @@ class PlaneFormTest {
         Kinematics k = s.kinematics();
         return new Assembly(new Structure(s.from(), s.to(), s.stiffness(), s.damping(), s.mass(), s.held(),
                 new Kinematics(k.stretch(), k.carried(), k.massOf(), Optional.empty())), assembly.laws(), assembly.drives(),
-                assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(), output.faults(), output.reads())).toList());
+                assembly.outputs().stream()
+                        .map(output -> new Assembly.Output(output.place(), output.reading(), output.faults(), output.reads())).toList());
     }
 
     @Test
@@ -133,14 +135,18 @@ class PlaneFormTest {
 
     @Test
     void namesUnitsAboutAnAxis() {
-        assertEquals(List.of("k3_Nm_per_rad3", "c2_Nms2_per_rad2", "friction_Nm", "transition_rad_per_s", "gap_rad", "stop_Nm_per_rad1_5", "relaxation_s"),
-                List.of("k3_N_per_m3", "c2_Ns2_per_m2", "friction_N", "transition_m_per_s", "gap_m", "stop_N_per_m1_5", "relaxation_s").stream()
+        assertEquals(
+                List.of("k3_Nm_per_rad3", "c2_Nms2_per_rad2", "friction_Nm", "transition_rad_per_s", "gap_rad", "stop_Nm_per_rad1_5",
+                        "relaxation_s"),
+                List.of("k3_N_per_m3", "c2_Ns2_per_m2", "friction_N", "transition_m_per_s", "gap_m", "stop_N_per_m1_5", "relaxation_s")
+                        .stream()
                         .map(ModelFile::keyAbout).toList());
     }
 
     @Test
     void saysWhatIsWrong() {
-        fault(MODEL.replace("\"along\": \"x\", \"at_m\": [0.1, 0.62]", "\"along\": \"y\", \"at_m\": [0.1, 0.62]"), "'along' must be \"x\" or \"z\": 'y'");
+        fault(MODEL.replace("\"along\": \"x\", \"at_m\": [0.1, 0.62]", "\"along\": \"y\", \"at_m\": [0.1, 0.62]"),
+                "'along' must be \"x\" or \"z\": 'y'");
         fault(MODEL.replace("\"at_m\": [0.12, 0.75]", "\"at_m\": [0.12]"), "'at_m' must be two numbers [x, z] in m");
         fault(MODEL.replace("head.acc.z", "head.acc.y"), "a sensor reads along x or z, or an angle about y: head.acc.y");
         fault(MODEL.replace(", \"inertia_kgm2\": 0.03", ""), "'head' has no inertia_kgm2 and so does not turn");
@@ -154,9 +160,12 @@ class PlaneFormTest {
     void readsWhatALinkMayHave() {
         String law = ", \"laws\": [{\"law\": \"stiffness.hardening\", \"k3_N_per_m3\": %s}]";
         Model model = ModelFile.parse(String.format(MODEL, String.format(law, "1e17")), "plane.json");
-        assertEquals(List.of("[CubicSpring[cubic=1.0E17]]"), model.links().stream().filter(link -> !link.laws().isEmpty()).map(link -> link.laws().toString()).toList());
-        fault(String.format(MODEL, String.format(law, "2e21")), "'k3_N_per_m3' is 2.0E21, which no body or link has; at most 1.0E21 is read");
-        fault(MODEL.replace("\"stiffness_N_per_m\": 30000", "\"stiffness_N_per_m\": 2e15"), "'stiffness_N_per_m' is 2.0E15, which no body or link has; at most 1.0E15 is read");
+        assertEquals(List.of("[CubicSpring[cubic=1.0E17]]"),
+                model.links().stream().filter(link -> !link.laws().isEmpty()).map(link -> link.laws().toString()).toList());
+        fault(String.format(MODEL, String.format(law, "2e21")),
+                "'k3_N_per_m3' is 2.0E21, which no body or link has; at most 1.0E21 is read");
+        fault(MODEL.replace("\"stiffness_N_per_m\": 30000", "\"stiffness_N_per_m\": 2e15"),
+                "'stiffness_N_per_m' is 2.0E15, which no body or link has; at most 1.0E15 is read");
     }
 
     private static void fault(String text, String says) {
@@ -225,10 +234,12 @@ class PlaneFormTest {
             return along == 'r' ? angle : along == 'x' ? base(1, t, derivative) + pz * angle : base(0, t, derivative) - (px - 0.1) * angle;
         }
         int at = 6 * derivative + 3 * body;
-        return along == 'r' ? y[at + 2] : along == 'x' ? y[at] + (pz - CENTRES[body][1]) * y[at + 2] : y[at + 1] - (px - CENTRES[body][0]) * y[at + 2];
+        return along == 'r' ? y[at + 2]
+                : along == 'x' ? y[at] + (pz - CENTRES[body][1]) * y[at + 2] : y[at + 1] - (px - CENTRES[body][0]) * y[at + 2];
     }
 
-    private static void spring(double[] y, double t, double[] force, int from, int to, char along, double px, double pz, double k, double c, double cubic) {
+    private static void spring(double[] y, double t, double[] force, int from, int to, char along, double px, double pz, double k, double c,
+            double cubic) {
         double r = point(y, t, to, along, px, pz, 0) - point(y, t, from, along, px, pz, 0);
         double v = point(y, t, to, along, px, pz, 1) - point(y, t, from, along, px, pz, 1);
         double pull = k * r + c * v + cubic * r * r * r;

@@ -79,7 +79,7 @@ class PublishedModelsTest {
     /** Natural frequencies [Hz] and damping ratios of the modes that swing. */
     @ParameterizedTest
     @CsvSource({"coermann-1962-1dof, 5.80/0.927", "wei-griffin-1998-1dof, 5.08/0.537",
-            "wei-griffin-1998-2dof, 5.21/0.348/9.53/0.357",
+        "wei-griffin-1998-2dof, 5.21/0.348/9.53/0.357",
         "allen-1978-2dof, 5.87/0.681/14.34/0.388", "wan-schimmels-1995-4dof, 4.65/0.691/12.31/0.722/19.04/0.388/33.26/0.251",
         "boileau-rakheja-1998-4dof, 5.13/0.394/41.1/0.186", "iso-5982-2001-3dof, 4.51/0.545/5.67/0.675/23.9/0.574",
         "fairley-griffin-1989-1dof, 5.00/0.475"})

@@ -58,7 +58,8 @@ class AnalyzeReportTest {
                 && lead.contains("the head moves"), lead);
         assertTrue(html.indexOf("class=\"lead\"") < html.indexOf("class=\"tiles\""));
         assertTrue(html.indexOf("class=\"tiles\"") < html.indexOf("class=\"chart\""));
-        assertFalse(html.substring(html.indexOf("<main>"), html.indexOf("class=\"chart\"")).contains("<table>"), "a table before the first chart");
+        assertFalse(html.substring(html.indexOf("<main>"), html.indexOf("class=\"chart\"")).contains("<table>"),
+                "a table before the first chart");
         assertEquals(List.of("At a glance", "Transmissibility", "Spectra", "Body over time", "Signals and motion states", "Spectrograms",
                 "Sensors", "Details"), all("<h2>(.*?)</h2>", html));
     }

@@ -41,7 +41,8 @@ class AnswerTest {
         command.getSubcommands().values().stream().distinct().forEach(AnswerTest::require);
         String name = command.getCommandName();
         if (command.getSubcommands().isEmpty()) {
-            assertEquals(!WITHOUT.contains(name), command.getCommandSpec().optionsMap().keySet().containsAll(List.of("--json", "--quiet")), name);
+            assertEquals(!WITHOUT.contains(name), command.getCommandSpec().optionsMap().keySet().containsAll(List.of("--json", "--quiet")),
+                    name);
         }
     }
 
@@ -49,7 +50,8 @@ class AnswerTest {
     @ParameterizedTest
     @ValueSource(strings = {"analyze", "track --estimator ekf", "exposure"})
     void jsonIsThatOfTheFile(String command) throws IOException {
-        String[] words = (command + " " + LINEAR + (command.equals("exposure") ? " --seat platform" : "") + " --json --out " + folder.resolve("out")).split(" ");
+        String[] words = (command + " " + LINEAR + (command.equals("exposure") ? " --seat platform" : "") + " --json --out "
+                + folder.resolve("out")).split(" ");
         Run run = Run.of(words);
         assertEquals(0, run.code(), run.err());
         String file = command.equals("exposure") ? "exposure.json" : "results.json";

@@ -82,7 +82,8 @@ class BadInputTest {
 
     @Test
     void channelThatIsNotThere() {
-        Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--output", "sternum.acc.z", "--out", folder.resolve("out").toString());
+        Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--output", "sternum.acc.z", "--out",
+                folder.resolve("out").toString());
         assertEquals(1, run.code());
         assertTrue(run.err().contains("no channel sternum.acc.z") && run.err().contains("head.acc.z"), run.err());
     }

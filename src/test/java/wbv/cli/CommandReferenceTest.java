@@ -56,7 +56,8 @@ class CommandReferenceTest {
         if (Boolean.getBoolean("wbv.regenerate")) {
             Files.writeString(PAGE, page);
         }
-        assertEquals(page.toString(), Files.readString(PAGE), PAGE + " is not what the program says now; write it anew with -Dwbv.regenerate=true");
+        assertEquals(page.toString(), Files.readString(PAGE),
+                PAGE + " is not what the program says now; write it anew with -Dwbv.regenerate=true");
     }
 
     /** Held to what is printed, whose words are the page's, in the same order. */
@@ -89,7 +90,9 @@ class CommandReferenceTest {
             } else if (code) {
                 text.append(line).append('\n');
             } else if (!line.matches("\\| \\w+ \\| what it does \\||[|-]+")) {
-                text.append(line.replaceAll("\\[`([^`]*)`]\\([^)]*\\)", "$1").replaceAll("(?<!\\\\)\\||`", "").replaceAll("\\\\([|<*])", "$1")).append('\n');
+                text.append(
+                        line.replaceAll("\\[`([^`]*)`]\\([^)]*\\)", "$1").replaceAll("(?<!\\\\)\\||`", "").replaceAll("\\\\([|<*])", "$1"))
+                        .append('\n');
             }
         }
         return text.toString();
@@ -103,8 +106,9 @@ class CommandReferenceTest {
         text.append(prose(String.join(" ", spec.usageMessage().description()))).append("\n\n");
         List<String> rows = new ArrayList<>();
         Help.ColorScheme plain = Help.defaultColorScheme(Ansi.OFF);
-        spec.positionalParameters().forEach(each -> rows.add(row(help.createDefaultParameterRenderer().render(each, help.parameterLabelRenderer(), plain),
-                each.description())));
+        spec.positionalParameters()
+                .forEach(each -> rows.add(row(help.createDefaultParameterRenderer().render(each, help.parameterLabelRenderer(), plain),
+                        each.description())));
         spec.options().stream().sorted(Help.createShortOptionNameComparator()).forEach(each -> rows.add(row(
                 help.createDefaultOptionRenderer().render(each, help.parameterLabelRenderer(), plain), each.description())));
         text.append("| option | what it does |\n|---|---|\n");
@@ -132,9 +136,11 @@ class CommandReferenceTest {
         StringBuilder text = new StringBuilder("Commands:\n\n| command | what it does |\n|---|---|\n");
         spec.subcommands().forEach((name, each) -> {
             UsageMessageSpec usage = each.getCommandSpec().usageMessage();
-            String description = prose(String.join(" ", usage.header().length > 0 ? usage.header() : usage.description())).replace("|", "\\|");
+            String description = prose(String.join(" ", usage.header().length > 0 ? usage.header() : usage.description())).replace("|",
+                    "\\|");
             String anchor = each.getCommandSpec().qualifiedName().replace(' ', '-');
-            text.append(each.getCommand() instanceof CommandLine.HelpCommand ? "| `" + name + "` | " : "| [`" + name + "`](#" + anchor + ") | ")
+            text.append(
+                    each.getCommand() instanceof CommandLine.HelpCommand ? "| `" + name + "` | " : "| [`" + name + "`](#" + anchor + ") | ")
                     .append(description).append(" |\n");
         });
         return text.append('\n').toString();

@@ -69,7 +69,8 @@ class CommandsTest {
         Instances tracks = DataSource.read(out.resolve("tracks.arff").toString());
         List<String> csv = Files.readAllLines(out.resolve("tracks.csv")).stream().filter(line -> !line.startsWith("#")).toList();
         assertEquals(csv.size() - 1, tracks.numInstances());
-        assertEquals(String.join(",", java.util.Collections.list(tracks.enumerateAttributes()).stream().map(a -> a.name()).toList()), csv.get(0));
+        assertEquals(String.join(",", java.util.Collections.list(tracks.enumerateAttributes()).stream().map(a -> a.name()).toList()),
+                csv.get(0));
         String[] last = csv.get(csv.size() - 1).split(",");
         assertEquals(Double.parseDouble(last[1]), tracks.lastInstance().value(1));
     }
@@ -100,7 +101,8 @@ class CommandsTest {
             assertEquals(0, Run.of("analyze", LINEAR, "--out", folder.resolve(name).toString()).code());
         }
         for (String file : List.of("report.html", "results.json", "tracks.csv", "tracks.arff")) {
-            assertArrayEquals(Files.readAllBytes(folder.resolve("a").resolve(file)), Files.readAllBytes(folder.resolve("b").resolve(file)), file);
+            assertArrayEquals(Files.readAllBytes(folder.resolve("a").resolve(file)), Files.readAllBytes(folder.resolve("b").resolve(file)),
+                    file);
         }
     }
 
@@ -114,7 +116,8 @@ class CommandsTest {
         Path out = folder.resolve("out");
         Run run = Run.of("analyze", still.toString(), "--out", out.toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().contains("no natural frequency: nothing moves") && run.out().contains("2 channels never move: platform.acc.z, head.acc.z"), run.out());
+        assertTrue(run.out().contains("no natural frequency: nothing moves")
+                && run.out().contains("2 channels never move: platform.acc.z, head.acc.z"), run.out());
         JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
         JsonNode body = results.get("outputs").get(0).get("body");
         assertTrue(body.get("modes").isEmpty() && body.get("no_number").asText().equals("nothing moves"), body.toString());
@@ -203,13 +206,15 @@ class CommandsTest {
 
     @Test
     void aTaskStringGivesItsCurve() {
-        Run run = Run.of("task", "wbv.task.TrackBody -s (wbv.stream.RecordingStream -f " + LINEAR + " -i platform.acc.z -o head.acc.z) -e 30");
+        Run run = Run.of("task",
+                "wbv.task.TrackBody -s (wbv.stream.RecordingStream -f " + LINEAR + " -i platform.acc.z -o head.acc.z) -e 30");
         assertEquals(0, run.code(), run.err());
         assertTrue(run.out().contains("natural frequency [Hz]"), run.out());
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"analyze", "exposure", "frf", "track", "live", "poles", "states", "fleet", "identify", "diagnose", "prove", "convert", "simulate", "export", "task", "map", "completion"})
+    @ValueSource(strings = {"analyze", "exposure", "frf", "track", "live", "poles", "states", "fleet", "identify", "diagnose", "prove",
+        "convert", "simulate", "export", "task", "map", "completion"})
     void everyCommandExplainsItselfWithAnExample(String command) {
         Run run = Run.of(command, "--help");
         assertEquals(0, run.code());

@@ -30,7 +30,8 @@ class CompletionTest {
     }
 
     private static String said(String... line) throws IOException, InterruptedException {
-        Assumptions.assumeTrue(Arrays.stream(System.getenv("PATH").split(":")).anyMatch(place -> Files.isExecutable(Path.of(place, line[0]))),
+        Assumptions.assumeTrue(
+                Arrays.stream(System.getenv("PATH").split(":")).anyMatch(place -> Files.isExecutable(Path.of(place, line[0]))),
                 line[0] + " is not here");
         Process process = new ProcessBuilder(line).redirectError(ProcessBuilder.Redirect.DISCARD).start();
         String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -39,7 +40,9 @@ class CompletionTest {
     }
 
     private String bash(Path script, String words) throws IOException, InterruptedException {
-        return said("bash", "-c", "source '" + script + "'; COMP_WORDS=(" + words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _complete_wbv; echo ${COMPREPLY[@]}")
+        return said("bash", "-c",
+                "source '" + script + "'; COMP_WORDS=(" + words
+                        + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _complete_wbv; echo ${COMPREPLY[@]}")
                 .strip();
     }
 
@@ -54,8 +57,9 @@ class CompletionTest {
 
     @Test
     void zshTakesThatOfBash() throws Exception {
-        assertEquals("_bash_complete -F _complete_wbv -o default\n", said("zsh", "-fc", "autoload -U compinit && compinit -u -D; source '" + script("zsh")
-                + "'; print ${_comps[wbv]}"));
+        assertEquals("_bash_complete -F _complete_wbv -o default\n",
+                said("zsh", "-fc", "autoload -U compinit && compinit -u -D; source '" + script("zsh")
+                        + "'; print ${_comps[wbv]}"));
     }
 
     private static Set<String> fish(Path script, String line) throws IOException, InterruptedException {

@@ -120,7 +120,8 @@ class DiagnoseInputTest {
     @Test
     void aShortRecording() throws IOException {
         refuses("a diagnosis needs at least 15 s; the recording has 10.0 s", written(cut(whole, 600)), "--model", given());
-        refuses("a diagnosis needs at least 1024 samples at 60.00 Hz, which are 17.1 s; the recording has 16.7 s", written(cut(whole, 1000)), "--model", given());
+        refuses("a diagnosis needs at least 1024 samples at 60.00 Hz, which are 17.1 s; the recording has 16.7 s",
+                written(cut(whole, 1000)), "--model", given());
     }
 
     /** One place, the base alone, and all of them. */
@@ -145,7 +146,8 @@ class DiagnoseInputTest {
         Run run = Run.of("diagnose", file.toString(), "--map", map.toString(), "--model", given(), "--out",
                 folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().startsWith("The model does not say its \"subject\"; it is taken for a person,") && run.out().contains("\nnothing-missing"), run.out());
+        assertTrue(run.out().startsWith("The model does not say its \"subject\"; it is taken for a person,")
+                && run.out().contains("\nnothing-missing"), run.out());
     }
 
     @Test

@@ -54,11 +54,13 @@ class ExportTest {
 
     @Test
     void aModelWithoutSensorOrInputIsRefused() throws IOException {
-        Path silent = Files.writeString(folder.resolve("silent.json"), Files.readString(Path.of(MODEL)).replaceAll("\"(pelvis|sternum|head)\\.acc\\.z\"", "null"));
+        Path silent = Files.writeString(folder.resolve("silent.json"),
+                Files.readString(Path.of(MODEL)).replaceAll("\"(pelvis|sternum|head)\\.acc\\.z\"", "null"));
         Run run = Run.of("export", silent.toString(), "--to", "python", "--out", folder.resolve("m.py").toString());
         assertEquals(1, run.code());
         assertTrue(run.err().contains("has no sensor"), run.err());
-        Path still = Files.writeString(folder.resolve("still.json"), Files.readString(Path.of(MODEL)).replace("\"platform.acc.z\"", "null"));
+        Path still = Files.writeString(folder.resolve("still.json"),
+                Files.readString(Path.of(MODEL)).replace("\"platform.acc.z\"", "null"));
         run = Run.of("export", still.toString(), "--to", "fmu", "--out", folder.resolve("m.fmu").toString());
         assertEquals(1, run.code());
         assertTrue(run.err().contains("has no input"), run.err());

@@ -294,9 +294,11 @@ class ExposureTest {
         assertEquals(0.7 * Math.sqrt(0.5), json.get("a8").asDouble(), 1e-12);
         assertEquals(98, json.get("points").asDouble(), 1e-9);
         assertEquals(1.4 * 0.3 * Math.sqrt(0.5), json.get("a8ByAxis").get("x").asDouble(), 1e-12);
-        for (String[] wrong : new String[][] {{"--magnitude", "0.7", "--hours", "4"}, {"--magnitude", "z=0.7"}, {"--hours", "4"}, {"--magnitude", "z=0.7,z=1",
+        for (String[] wrong : new String[][] {{"--magnitude", "0.7", "--hours", "4"}, {"--magnitude", "z=0.7"}, {"--hours", "4"},
+            {"--magnitude", "z=0.7,z=1",
                 "--hours", "4"},
-            {"--magnitude", "z=0.7", "--hours", "25"}, {"--magnitude", "z=7000", "--hours", "4"}, {"--magnitude", "z=0.7", "--hours", "4", "--hours", "1"},
+            {"--magnitude", "z=0.7", "--hours", "25"}, {"--magnitude", "z=7000", "--hours", "4"},
+            {"--magnitude", "z=0.7", "--hours", "4", "--hours", "1"},
             {"--magnitude", "z=0.7", "--hours", "4", RIDE}, {}}) {
             List<String> words = new ArrayList<>(List.of("exposure"));
             words.addAll(List.of(wrong));

@@ -23,14 +23,16 @@ class FleetMachinesTest {
 
     private Run fleet(String... more) {
         String[] words = new String[more.length + 4];
-        System.arraycopy(new String[] {"fleet", "data/arff/one-dof-linear.arff", "--out", temporary.resolve("out").toString()}, 0, words, 0, 4);
+        System.arraycopy(new String[] {"fleet", "data/arff/one-dof-linear.arff", "--out", temporary.resolve("out").toString()}, 0, words, 0,
+                4);
         System.arraycopy(more, 0, words, 4, more.length);
         return Run.of(words);
     }
 
     @Test
     void withoutFlinkOneLineSaysHowToGetIt() {
-        assumeTrue(FleetEngine.class.getResource("/META-INF/services/" + FleetEngine.class.getName()) == null, "the folder of classes holds those of the profile 'fleet'");
+        assumeTrue(FleetEngine.class.getResource("/META-INF/services/" + FleetEngine.class.getName()) == null,
+                "the folder of classes holds those of the profile 'fleet'");
         for (String[] more : new String[][] {{"--local", "2"}, {"--cluster", "localhost:8081"}}) {
             Run run = fleet(more);
             assertEquals(2, run.code());

@@ -264,28 +264,27 @@ class FrfTest {
                 Arguments.of("half a second", rows(60, 0.5, TWO_NAMES, 2, WHITE), List.of(), "too short"),
                 Arguments.of("no z axis", rows(60, 60, "platform.acc.x,head.acc.x", 2, WHITE), List.of(), "--input"),
                 Arguments.of("a dead input", rows(60, 60, TWO_NAMES, 2, (t, random, row) -> row[1] = random.nextGaussian()),
-                List.of(),
+                        List.of(),
                         "does not move"),
-                Arguments.of("inputs that move as one", rows(60, 60, "platform.acc.z,seat.acc.z,head.acc.z", 3, (t, random, row)
-                -> {
+                Arguments.of("inputs that move as one", rows(60, 60, "platform.acc.z,seat.acc.z,head.acc.z", 3, (t, random, row) -> {
                     WHITE.fill(t, random, row);
                     row[2] = row[1];
                     row[1] = row[0] + 1e-3 * random.nextGaussian();
                 }), List.of("--input", "platform.acc.z,seat.acc.z"), "leave one of"),
                 Arguments.of("no such channel", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--output", "knee.acc.z"),
-                "no channel knee.acc.z"),
+                        "no channel knee.acc.z"),
                 Arguments.of("input and output the same", rows(60, 60, TWO_NAMES, 2, WHITE),
-                List.of("--output", "platform.acc.z"),
+                        List.of("--output", "platform.acc.z"),
                         "both input and output"),
                 Arguments.of("an input twice", rows(60, 60, TWO_NAMES, 2, WHITE),
-                List.of("--input", "platform.acc.z,platform.acc.z"),
+                        List.of("--input", "platform.acc.z,platform.acc.z"),
                         "named twice"),
                 Arguments.of("segments longer than all", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--segment", "100"),
-                "too short"),
+                        "too short"),
                 Arguments.of("a model of something else", rows(60, 60, "seat.acc.z,knee.acc.z", 2, WHITE),
                         List.of("--model", "allen-1978-2dof"), "answers none"),
                 Arguments.of("no such model", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--model", "nobody-1900"),
-                "nobody-1900"),
+                        "nobody-1900"),
                 Arguments.of("skin elsewhere", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--skin", "knee=30:0.3"),
                         "told of knee"),
                 Arguments.of("a plate under no force", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--plate", "3"),

@@ -238,14 +238,17 @@ class LauncherTest {
             assertTrue(shell.contains(said), said);
         }
         assertTrue(windows.contains("mvn -B -q -f \"%home%/pom.xml\" -Dmaven.test.skip=true package >\"%home%/target/build.log\" 2>&1"));
-        assertTrue(shell.contains("mvn -B -q -f \"$home/pom.xml\" ${profile[@]+\"${profile[@]}\"} -Dmaven.test.skip=true package >\"$log\" 2>&1"));
+        assertTrue(shell
+                .contains("mvn -B -q -f \"$home/pom.xml\" ${profile[@]+\"${profile[@]}\"} -Dmaven.test.skip=true package >\"$log\" 2>&1"));
         assertTrue(windows.contains("%WBV_JAVA_OPTS% -jar \"%jar%\" %*\n") && shell.contains("${WBV_JAVA_OPTS:-} -jar \"$jar\" \"$@\""),
                 "options, and arguments as they are");
-        for (String looked : List.of("not exist \"%jar%\"", "not exist \"%home%/target/lib\"", "'pom.xml'", "'src/main'", "%JAVA_HOME%/bin/java.exe")) {
+        for (String looked : List.of("not exist \"%jar%\"", "not exist \"%home%/target/lib\"", "'pom.xml'", "'src/main'",
+                "%JAVA_HOME%/bin/java.exe")) {
             assertTrue(windows.contains(looked), looked);
         }
         assertEquals(3, windows.split("exit /b 3\n", -1).length - 1, "without Java, without Maven, after a build that failed");
-        assertTrue(windows.contains("set \"code=%errorlevel%\"\n") && windows.endsWith("exit /b %errorlevel%\n") && windows.contains("exit /b %code%\n"));
+        assertTrue(windows.contains("set \"code=%errorlevel%\"\n") && windows.endsWith("exit /b %errorlevel%\n")
+                && windows.contains("exit /b %code%\n"));
         assertTrue(windows.contains("DisableDelayedExpansion"), "or a ! in an argument would vanish");
         for (String line : windows.lines().toList()) {
             assertEquals(0, line.chars().filter(c -> c == '"').count() % 2, line);

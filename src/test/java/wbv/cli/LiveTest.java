@@ -33,13 +33,14 @@ class LiveTest {
         List<String> lines = run.out().lines().toList();
         assertTrue(lines.get(0).startsWith("{\"type\":\"begin\",\"source\":\"standard input\""), lines.get(0));
         assertTrue(lines.get(lines.size() - 1).startsWith("{\"type\":\"end\""), lines.get(lines.size() - 1));
-        JsonNode result = lines.stream().filter(line -> line.contains("\"type\":\"result\"")).reduce((first, second) -> second).map(line -> {
-            try {
-                return new ObjectMapper().readTree(line);
-            } catch (IOException wrong) {
-                throw new AssertionError(line, wrong);
-            }
-        }).orElseThrow();
+        JsonNode result = lines.stream().filter(line -> line.contains("\"type\":\"result\"")).reduce((first, second) -> second)
+                .map(line -> {
+                    try {
+                        return new ObjectMapper().readTree(line);
+                    } catch (IOException wrong) {
+                        throw new AssertionError(line, wrong);
+                    }
+                }).orElseThrow();
         Path out = folder.resolve("out");
         assertEquals(0, Run.of("track", LINEAR, "--estimator", "ekf-adwin", "--out", out.toString()).code());
         List<String> tracks = Files.readAllLines(out.resolve("tracks.csv"));
@@ -58,7 +59,8 @@ class LiveTest {
     void linesThatCannotBeReadArePutAsideAndTheCommandGoesOn() throws IOException {
         StringBuilder rows = new StringBuilder("t,seat.acc.z,head.acc.z\n");
         for (int i = 0; i < 300; i++) {
-            rows.append(i / 60.0).append(',').append(Math.sin(i)).append(',').append(Math.cos(1.1 * i)).append(i == 100 ? "\noops\n" : "\n");
+            rows.append(i / 60.0).append(',').append(Math.sin(i)).append(',').append(Math.cos(1.1 * i))
+                    .append(i == 100 ? "\noops\n" : "\n");
         }
         Path aside = folder.resolve("aside.txt");
         Run run = Run.with(new ByteArrayInputStream(rows.toString().getBytes(StandardCharsets.UTF_8)), "live", "-", "--aside",
@@ -82,10 +84,12 @@ class LiveTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"live|2|say where samples come from", "live nothing.csv|1|there is no such file", "live . |1|is a folder",
-        "live - --pace 0|2|--pace must be > 0", "live --udp 70000|2|--udp must be 0 to 65535", "live - --every 0|2|--every must be",
-        "live - --estimator none|2|--estimator must be one of", "live - --seat Seat|2|--seat names a place", "live --mqtt nonsense|1|no address of a broker",
-        "live - --rate 0|2|--rate must be", "live - --seats 0|2|--seats must be", "live - --states nothing.json|1|nothing.json"})
+    @CsvSource(delimiter = '|',
+            value = {"live|2|say where samples come from", "live nothing.csv|1|there is no such file", "live . |1|is a folder",
+                "live - --pace 0|2|--pace must be > 0", "live --udp 70000|2|--udp must be 0 to 65535", "live - --every 0|2|--every must be",
+                "live - --estimator none|2|--estimator must be one of", "live - --seat Seat|2|--seat names a place",
+                "live --mqtt nonsense|1|no address of a broker",
+                "live - --rate 0|2|--rate must be", "live - --seats 0|2|--seats must be", "live - --states nothing.json|1|nothing.json"})
     void whatIsWrongIsSaidInOneLine(String command, int code, String said) {
         Run run = Run.of(command.strip().split(" "));
         assertEquals(code, run.code(), run.err());

@@ -38,8 +38,10 @@ class MapColumnsTest {
     void questionsAreMarkedInTheMap() throws IOException {
         Path map = room.resolve("m.json");
         Run drafted = Run.of("map", TABLES.resolve("bare.csv").toString(), "--out", map.toString());
-        long asked = drafted.out().lines().filter(line -> line.startsWith("QUESTION: ")).peek(line -> assertTrue(contains(map, line.substring(10)),
-                line)).count();
+        long asked = drafted.out().lines().filter(line -> line.startsWith("QUESTION: "))
+                .peek(line -> assertTrue(contains(map, line.substring(10)),
+                        line))
+                .count();
         assertEquals(3, asked, drafted.out());
     }
 

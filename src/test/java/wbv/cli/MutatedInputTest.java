@@ -59,7 +59,8 @@ class MutatedInputTest {
     /** A file to damage, and the commands that read it; {@code *} is the damaged file, {@code +} a sound recording. */
     enum Kind {
         CSV("short.csv", "analyze *", "frf *", "exposure * --seat platform", "convert *", "convert * --as-is", "track * --estimator fused",
-                "convert * --still 0:1 --free head", "diagnose * --model coermann-1962-1dof", "simulate --input * --model coermann-1962-1dof"),
+                "convert * --still 0:1 --free head", "diagnose * --model coermann-1962-1dof",
+                "simulate --input * --model coermann-1962-1dof"),
         ARFF("short.arff", "analyze * --json", "frf * --json", "track * --estimator ukf", "convert *",
                 "states apply * --model " + "data/none.json"),
         MVNX("body.mvnx", "convert *", "analyze * --input platform.acc.z", "frf * --input platform.acc.z --output head.acc.z"),
@@ -109,7 +110,8 @@ class MutatedInputTest {
             }
             mvnx.append("</acceleration></frame>\n");
             sensor.append('\n');
-            foreign.append(1000 + i * 50 / 3.0).append(',').append(noise.nextGaussian()).append(',').append(noise.nextGaussian()).append('\n');
+            foreign.append(1000 + i * 50 / 3.0).append(',').append(noise.nextGaussian()).append(',').append(noise.nextGaussian())
+                    .append('\n');
         }
         Files.writeString(shared.resolve("foreign.csv"), foreign);
         for (Kind kind : List.of(Kind.UFF, Kind.UNV, Kind.MAT, Kind.WAV)) {
@@ -121,7 +123,8 @@ class MutatedInputTest {
         SOUND.put(Kind.TABLE, bytes(foreign.toString()));
         Map<Kind, byte[]> made = Map.of(Kind.CSV, Files.readAllBytes(shared.resolve("short.csv")), Kind.ARFF, Files.readAllBytes(arff),
                 Kind.MVNX, bytes(mvnx + "</frames></subject></mvnx>\n"), Kind.SENSOR, bytes(sensor.toString()),
-                Kind.MAP, bytes("{\"time\": {\"column\": \"t_ms\", \"unit\": \"ms\", \"from_zero\": true}, \"channels\": {\"platform.acc.z\": "
+                Kind.MAP,
+                bytes("{\"time\": {\"column\": \"t_ms\", \"unit\": \"ms\", \"from_zero\": true}, \"channels\": {\"platform.acc.z\": "
                         + "{\"column\": \"Az\", \"unit\": \"g\", \"scale\": -1}}, \"patterns\": [{\"column\": \"{location}_a{axis}\", "
                         + "\"channel\": \"{location}.acc.{axis}\", \"unit\": \"m/s2\"}]}"),
                 Kind.MODEL, Files.readAllBytes(Path.of("data/arff/concealed/003/model.json")),
@@ -239,7 +242,8 @@ class MutatedInputTest {
     /** One to three kinds of damage to a file, from a random source. */
     private record Damage(Random random) {
 
-        private static final List<String> WORDS = List.of("", "0", "-0", "1e300", "-1e300", "1e-300", "4.9e-324", "1e999", "NaN", "Infinity",
+        private static final List<String> WORDS = List.of("", "0", "-0", "1e300", "-1e300", "1e-300", "4.9e-324", "1e999", "NaN",
+                "Infinity",
                 "1.6e17", "2147483648", "-1", "null", "true", "{}", "[]", "\"", "'", "\0", "\t", "\u001b[31m", "\u2028", "ä", "</script>",
                 "a.b.c", "x".repeat(5000), " ".repeat(5000), "[".repeat(2000), "head.acc.z", "1;2", "0x10", "1_000", "٣");
         private static final Pattern TOKEN = Pattern.compile("[A-Za-z0-9_.+-]++");
@@ -280,7 +284,8 @@ class MutatedInputTest {
             Matcher found = TOKEN.matcher(text);
             int start = random.nextInt(random.nextBoolean() ? text.length() + 1 : Math.min(text.length(), 2000) + 1);
             String word = new String(bytes(WORDS.get(random.nextInt(WORDS.size()))), StandardCharsets.ISO_8859_1);
-            return found.find(start) ? (text.substring(0, found.start()) + word + text.substring(found.end())).getBytes(StandardCharsets.ISO_8859_1)
+            return found.find(start)
+                    ? (text.substring(0, found.start()) + word + text.substring(found.end())).getBytes(StandardCharsets.ISO_8859_1)
                     : bytes;
         }
 

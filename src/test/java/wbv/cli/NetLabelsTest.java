@@ -40,7 +40,8 @@ class NetLabelsTest {
             words.add(ride(i, frequency, damping).toString());
             labels.append(String.format(Locale.ROOT, "ride%d.csv,1,15,%s,%s%n", i, damping, frequency));
         }
-        words.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--input", "platform.acc.z", "--hop", "0.6", "--epochs", "10"));
+        words.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--input", "platform.acc.z", "--hop", "0.6", "--epochs",
+                "10"));
         words.addAll(List.of("--out", folder.resolve("a").toString()));
         Run run = Run.of(words.toArray(String[]::new));
         assertEquals(0, run.code(), run.err());
@@ -71,9 +72,11 @@ class NetLabelsTest {
         for (int i = 0; i < 5; i++) {
             Path ride = folder.resolve("person" + i + ".csv");
             assertEquals(0, Run.of("simulate", "subject=random:" + i, "regime=" + (1 + i), "seconds=12",
-                    "channels=seat.acc.x,seat.acc.y,seat.acc.z,sternum.acc.x,sternum.acc.y,sternum.acc.z", "--out", ride.toString()).code());
+                    "channels=seat.acc.x,seat.acc.y,seat.acc.z,sternum.acc.x,sternum.acc.y,sternum.acc.z", "--out", ride.toString())
+                    .code());
             words.add(ride.toString());
-            labels.append(ride).append(",0,11.9,0.").append(2 + i).append(',').append(4.5 + 0.2 * i).append(",0.3").append(i).append(',').append(10 + i).append('\n');
+            labels.append(ride).append(",0,11.9,0.").append(2 + i).append(',').append(4.5 + 0.2 * i).append(",0.3").append(i).append(',')
+                    .append(10 + i).append('\n');
         }
         words.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--output", "sternum.acc.z", "--network", "thesis-cnn",
                 "--hop", "0.5", "--epochs", "2", "--out", folder.resolve("model").toString()));
@@ -125,7 +128,8 @@ class NetLabelsTest {
         List<String> all = new ArrayList<>(List.of("net", "train"));
         all.addAll(Arrays.asList(recordings));
         Path out = folder.resolve("no");
-        all.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--input", "platform.acc.z", "--hop", "0.5", "--out", out.toString()));
+        all.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--input", "platform.acc.z", "--hop", "0.5", "--out",
+                out.toString()));
         Run run = Run.of(all.toArray(String[]::new));
         assertEquals(1, run.code(), run.err());
         assertEquals(1, run.err().lines().count(), run.err());

@@ -58,7 +58,7 @@ class PolesTest {
         assertEquals(0, task.code(), task.err());
         double error = task.out().lines().filter(line -> line.startsWith("error over variance,head.acc.z"))
                 .mapToDouble(line -> Double.parseDouble(line.substring(line.lastIndexOf(',') + 1).strip())).findFirst()
-                        .orElseThrow();
+                .orElseThrow();
         assertTrue(error < 0.1, task.out());
 
         Run other = Run.of("track", without.toString(), "--without", "sternum", "--polygons", polygons, "--out",

@@ -32,7 +32,8 @@ class PredictionTest {
         assertEquals(0, run.code(), run.err());
         Table table = Table.of(out.resolve("prediction.csv"));
         JsonNode fit = new ObjectMapper().readTree(out.resolve("diagnosis.json").toFile()).get("fit");
-        List<String> channels = List.of("seat.acc.z", "sternum.acc.z", "head.acc.z").stream().filter(fit.get("heldout_nrmse_after")::has).toList();
+        List<String> channels = List.of("seat.acc.z", "sternum.acc.z", "head.acc.z").stream().filter(fit.get("heldout_nrmse_after")::has)
+                .toList();
         assertTrue(!channels.isEmpty(), run.out());
         for (String channel : channels) {
             double claimed = fit.get("heldout_nrmse_after").get(channel).asDouble();
@@ -45,7 +46,9 @@ class PredictionTest {
         assertEquals(List.of("t", "platform-pelvis"), force.head());
         assertTrue(force.cells().stream().mapToDouble(row -> Math.abs(Double.parseDouble(row[1]))).max().orElse(0) > 1);
         Path simulated = folder.resolve("simulated.csv");
-        assertEquals(0, Run.of("simulate", "--model", out.resolve("model.json").toString(), "--input", recording, "--out", simulated.toString()).code());
+        assertEquals(0,
+                Run.of("simulate", "--model", out.resolve("model.json").toString(), "--input", recording, "--out", simulated.toString())
+                        .code());
         Table whole = Table.of(simulated);
         for (int row = 0; row < table.rows(); row++) {
             String time = table.text("t", row);

@@ -40,7 +40,7 @@ class ReadmeTest {
     private static Path rooms;
 
     /** Commands that stand in one block. @param printed what the document says they print; empty where it says nothing */
-    private record Block(List<String> commands, List<String> printed) { }
+    private record Block(List<String> commands, List<String> printed) {}
 
     private static List<Path> documents() throws IOException {
         List<Path> documents = new ArrayList<>(List.of(Path.of("README.md"), Path.of("docs/tutorial.md")));
@@ -136,7 +136,8 @@ class ReadmeTest {
             if (command.startsWith(WBV + "net ")) {
                 WithEngine.orSkip();
             }
-            Run run = Run.of(words(command.substring(WBV.length())).stream().map(word -> moved(word, results, room)).toArray(String[]::new));
+            Run run = Run
+                    .of(words(command.substring(WBV.length())).stream().map(word -> moved(word, results, room)).toArray(String[]::new));
             assertEquals(0, run.code(), run.err());
             assertEquals("", run.err(), "beside what the document shows");
             return run.out().replace(room + "/", "");

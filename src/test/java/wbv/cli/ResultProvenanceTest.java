@@ -41,22 +41,27 @@ class ResultProvenanceTest {
 
     @TestFactory
     Stream<DynamicTest> everyCommandWithAllOfItsOptionsIsReadBack() {
-        return leaves(new CommandLine(new Main()).getCommandSpec()).stream().map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
-            List<String> words = new ArrayList<>(path(command));
-            command.options().stream().filter(option -> !option.usageHelp() && !option.versionHelp())
-                    .forEach(option -> words.addAll(option.arity().max() == 0 ? List.of(option.longestName()) : List.of(option.longestName(), invented(option))));
-            command.positionalParameters().forEach(each -> words.addAll(each.arity().max() > 1 ? List.of(invented(each), "-") : List.of(invented(each))));
-            readsBack(words);
-        }));
+        return leaves(new CommandLine(new Main()).getCommandSpec()).stream()
+                .map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
+                    List<String> words = new ArrayList<>(path(command));
+                    command.options().stream().filter(option -> !option.usageHelp() && !option.versionHelp())
+                            .forEach(option -> words.addAll(option.arity().max() == 0 ? List.of(option.longestName())
+                                    : List.of(option.longestName(), invented(option))));
+                    command.positionalParameters()
+                            .forEach(each -> words.addAll(each.arity().max() > 1 ? List.of(invented(each), "-") : List.of(invented(each))));
+                    readsBack(words);
+                }));
     }
 
     @TestFactory
     Stream<DynamicTest> everyCommandWithItsDefaultsIsReadBack() {
-        return leaves(new CommandLine(new Main()).getCommandSpec()).stream().map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
-            List<String> words = new ArrayList<>(path(command));
-            command.requiredArgs().forEach(each -> words.addAll(each instanceof OptionSpec option ? List.of(option.longestName(), invented(each)) : List.of(invented(each))));
-            readsBack(words);
-        }));
+        return leaves(new CommandLine(new Main()).getCommandSpec()).stream()
+                .map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
+                    List<String> words = new ArrayList<>(path(command));
+                    command.requiredArgs().forEach(each -> words.addAll(
+                            each instanceof OptionSpec option ? List.of(option.longestName(), invented(each)) : List.of(invented(each))));
+                    readsBack(words);
+                }));
     }
 
     @ParameterizedTest
@@ -87,7 +92,8 @@ class ResultProvenanceTest {
         byte[] first = made(List.of(given.split(" ")), result, "first");
         List<String> line = shell(new ObjectMapper().readTree(first).get("provenance").get("command").asText());
         assertEquals("wbv", line.get(0));
-        assertEquals(new String(first, StandardCharsets.UTF_8), new String(made(line.subList(1, line.size()), result, "second"), StandardCharsets.UTF_8));
+        assertEquals(new String(first, StandardCharsets.UTF_8),
+                new String(made(line.subList(1, line.size()), result, "second"), StandardCharsets.UTF_8));
     }
 
     @Test
@@ -125,7 +131,8 @@ class ResultProvenanceTest {
         Map<String, String> values = new TreeMap<>();
         for (ArgSpec each : command.args()) {
             if (!(each instanceof OptionSpec option && ResultProvenance.WITHOUT_EFFECT.contains(option.longestName()))) {
-                values.put(each instanceof OptionSpec option ? option.longestName() : each.paramLabel(), String.valueOf(each.<Object>getValue()));
+                values.put(each instanceof OptionSpec option ? option.longestName() : each.paramLabel(),
+                        String.valueOf(each.<Object>getValue()));
             }
         }
         return values;
@@ -140,7 +147,8 @@ class ResultProvenanceTest {
     }
 
     private static List<String> shell(String line) throws Exception {
-        Process shell = new ProcessBuilder("/bin/sh", "-c", "printf '%s\\0' " + line).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+        Process shell = new ProcessBuilder("/bin/sh", "-c", "printf '%s\\0' " + line).redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
         String out = new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, shell.waitFor());
         return List.of(out.substring(0, out.length() - 1).split("\0", -1));

@@ -32,7 +32,8 @@ record Run(int code, String out, String err) {
             System.setErr(new PrintStream(complained, true, StandardCharsets.UTF_8));
             System.setIn(in);
             int code = Main.execute(arguments);
-            return new Run(code, printed instanceof ByteArrayOutputStream text ? text.toString(StandardCharsets.UTF_8) : "", complained.toString(StandardCharsets.UTF_8));
+            return new Run(code, printed instanceof ByteArrayOutputStream text ? text.toString(StandardCharsets.UTF_8) : "",
+                    complained.toString(StandardCharsets.UTF_8));
         } finally {
             System.setOut(out);
             System.setErr(err);

@@ -142,8 +142,9 @@ class StatesTest {
         refused("no such file", "states", "apply", TRAIN, "--model", folder.resolve("none.json").toString(), "--out",
                 folder.resolve("out").toString());
         for (String[] change : new String[][] {{"\"wbv_states\" : 2", "\"wbv_states\" : 1", "version"}, {"\"name\" : \"idle\"",
-            "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"}, {"\"mean\" : [ ", "\"mean\" : [ \"x\", ",
-                    "mean"}}) {
+            "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"},
+            {"\"mean\" : [ ", "\"mean\" : [ \"x\", ",
+                "mean"}}) {
             Path spoilt = folder.resolve("spoilt.json");
             Files.writeString(spoilt, Files.readString(Path.of(model())).replace(change[0], change[1]));
             refused(change[2], "states", "apply", TRAIN, "--model", spoilt.toString(), "--out", folder.resolve("out").toString());

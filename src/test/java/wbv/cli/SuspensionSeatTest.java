@@ -45,7 +45,8 @@ class SuspensionSeatTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--floor, EM10, EM1 to EM9", "--floor, road:C, road:CLASS:KM_PER_H", "--floor, road:C:900, 0 to 200 km/h", "--mass, 5, 30 to 200 kg",
+    @CsvSource({"--floor, EM10, EM1 to EM9", "--floor, road:C, road:CLASS:KM_PER_H", "--floor, road:C:900, 0 to 200 km/h",
+        "--mass, 5, 30 to 200 kg",
         "--controller, magic, clipped-lqg", "--seconds, 1, 5 to 600", "--sitters, 0, 1 to 1000", "--faults, 0, 1 to 100000"})
     void wrongUsageIsOneLine(String option, String value, String hint) {
         Run run = Run.of("seat", option, value, "--out", room.resolve("none").toString());

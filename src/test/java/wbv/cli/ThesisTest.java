@@ -55,7 +55,7 @@ class ThesisTest {
     private Path room;
 
     /** @param of the thesis, first cell @param commands in backticks, third cell */
-    private record Row(String of, List<String> commands) { }
+    private record Row(String of, List<String> commands) {}
 
     private static int[] range(int first, int last) {
         return IntStream.rangeClosed(first, last).toArray();

@@ -23,14 +23,16 @@ class ControllersTest {
     }
 
     /** Two seconds of shaking in which a third of all readings is lost, then silence of everything. */
-    private static void shake(SeatController controller, int samples, SeatReadings readings, SeatCommand command, RandomGenerator random, boolean silent) {
+    private static void shake(SeatController controller, int samples, SeatReadings readings, SeatCommand command, RandomGenerator random,
+            boolean silent) {
         for (int i = 0; i < samples; i++) {
             double t = i / SeatController.RATE;
             double swing = Math.sin(2 * Math.PI * 2.2 * t);
             readings.set(lost(3 * swing, random, silent), lost(-2 * swing + random.nextGaussian(), random, silent),
                     lost(0.02 * swing, random, silent), lost(780 - 120 * swing, random, silent), lost(-2.2 * swing, random, silent));
             controller.step(readings, command);
-            assertTrue(command.damping() >= SEAT.leastDamping() && command.damping() <= SEAT.mostDamping(), () -> "damping " + command.damping());
+            assertTrue(command.damping() >= SEAT.leastDamping() && command.damping() <= SEAT.mostDamping(),
+                    () -> "damping " + command.damping());
             assertTrue(Math.abs(command.force()) <= SEAT.mostForce(), () -> "force " + command.force());
         }
     }
@@ -74,7 +76,8 @@ class ControllersTest {
         }
     }
 
-    private static void run(SeatController controller, SeatReadings readings, SeatCommand command, ToldSitter sitter, ApparentSitter who, int samples) {
+    private static void run(SeatController controller, SeatReadings readings, SeatCommand command, ToldSitter sitter, ApparentSitter who,
+            int samples) {
         sitter.tell(who, 1);
         for (int i = 0; i < samples; i++) {
             double swing = Math.sin(0.05 * i);
@@ -184,7 +187,8 @@ class ControllersTest {
     @EnumSource(OptimalSeat.Aim.class)
     void theDesignHoldsItsOwnSeatAtRest(OptimalSeat.Aim aim) {
         SeatModel model = new SeatModel(SEAT, FLOOR, 0.4);
-        SeatDesign design = aim == OptimalSeat.Aim.MEAN ? new MeanDesign(model, SEAT.leastDamping()) : new WorstDesign(model, OptimalSeat.BESIDE);
+        SeatDesign design = aim == OptimalSeat.Aim.MEAN ? new MeanDesign(model, SEAT.leastDamping())
+                : new WorstDesign(model, OptimalSeat.BESIDE);
         OptimalGains gains = new OptimalGains();
         design.begin(new ToldSitter(MIDDLE));
         while (!design.advance()) {

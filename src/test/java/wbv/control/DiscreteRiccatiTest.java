@@ -24,7 +24,8 @@ class DiscreteRiccatiTest {
     Stream<DynamicTest> solutionsAreThoseOfSciPy() throws IOException {
         try (InputStream in = DiscreteRiccatiTest.class.getResourceAsStream("riccati.json")) {
             return StreamSupport.stream(new ObjectMapper().readTree(in).get("cases").spliterator(), false)
-                    .map(each -> DynamicTest.dynamicTest(each.get("a").size() + " states, " + each.get("r").size() + " inputs", () -> check(each)));
+                    .map(each -> DynamicTest.dynamicTest(each.get("a").size() + " states, " + each.get("r").size() + " inputs",
+                            () -> check(each)));
         }
     }
 
@@ -45,7 +46,8 @@ class DiscreteRiccatiTest {
     /** x = a² x / (1 + g x) + h of one state is a quadratic equation. */
     @Test
     void oneStateIsAQuadraticEquation() {
-        DMatrixRMaj x = solve(new DMatrixRMaj(new double[][] {{2}}), new DMatrixRMaj(new double[][] {{3}}), new DMatrixRMaj(new double[][] {{5}}));
+        DMatrixRMaj x = solve(new DMatrixRMaj(new double[][] {{2}}), new DMatrixRMaj(new double[][] {{3}}),
+                new DMatrixRMaj(new double[][] {{5}}));
         double p = 3 * 5 + 4 - 1; // g x² + (1 - a² - g h) x - h = 0
         assertEquals((p + Math.sqrt(p * p + 4 * 3 * 5)) / 6, x.get(0, 0), 1e-12);
     }

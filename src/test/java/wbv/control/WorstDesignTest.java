@@ -101,8 +101,10 @@ class WorstDesignTest {
         RealMatrix shaking = new EigenDecomposition(of(model.noise())).getSquareRoot();
         RealMatrix cost = new EigenDecomposition(of(model.cost())).getSquareRoot();
         // states of the seat, then those of the observer before it corrects them
-        RealMatrix loop = blocks(a.subtract(bk.multiply(seen)), bk.multiply(kept).scalarMultiply(-1), foresight.multiply(seen), foresight.multiply(kept));
-        RealMatrix in = blocks(shaking, bk.multiply(l).multiply(sensors).scalarMultiply(-1), zero(N, N), foresight.multiply(l).multiply(sensors));
+        RealMatrix loop = blocks(a.subtract(bk.multiply(seen)), bk.multiply(kept).scalarMultiply(-1), foresight.multiply(seen),
+                foresight.multiply(kept));
+        RealMatrix in = blocks(shaking, bk.multiply(l).multiply(sensors).scalarMultiply(-1), zero(N, N),
+                foresight.multiply(l).multiply(sensors));
         RealMatrix out = blocks(cost, zero(N, N), force.multiply(seen), force.multiply(kept));
         RealMatrix through = blocks(zero(N, N), zero(N, SENSORS), zero(1, N), force.multiply(l).multiply(sensors));
         double most = 0;

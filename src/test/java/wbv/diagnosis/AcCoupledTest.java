@@ -56,13 +56,16 @@ class AcCoupledTest {
         ConcealedCase made = Concealer.make(new ConcealedSpec("null", List.of(), 0.1, Setting.RIG, false, 7));
         Recording ride = made.recording();
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        ride.channels().forEach(channel -> values.put(channel, channel.equals(HEAD) ? Bench.coupled(ride.values(channel), 1 / ride.clock().rate(), 1) : ride.values(channel)));
+        ride.channels().forEach(channel -> values.put(channel,
+                channel.equals(HEAD) ? Bench.coupled(ride.values(channel), 1 / ride.clock().rate(), 1) : ride.values(channel)));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
-        isNamed(Diagnoser.diagnose(ModelFile.read(model), new Recording(ride.clock(), values, ride.metadata()), (step, share) -> { }), HEAD.toString(), 1);
+        isNamed(Diagnoser.diagnose(ModelFile.read(model), new Recording(ride.clock(), values, ride.metadata()), (step, share) -> {}),
+                HEAD.toString(), 1);
     }
 
     private static void isNamed(Diagnosis d, String sensor, double corner) {
-        assertEquals(List.of("sensor.ac-coupled at " + sensor), d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(), d.sentence());
+        assertEquals(List.of("sensor.ac-coupled at " + sensor), d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(),
+                d.sentence());
         Interval interval = d.missing().get(0).intervals().get("corner_hz");
         assertTrue(interval.low() < corner && corner < interval.high(), d.sentence() + " " + interval);
         assertEquals(corner, d.missing().get(0).parameters().get("corner_hz"), 0.05 * corner);

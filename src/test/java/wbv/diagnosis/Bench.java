@@ -47,7 +47,7 @@ public final class Bench {
 
     /** From rest. */
     public Bench run(Forces forces) {
-        return run(forces, new double[mass.length], new double[mass.length], (t, x, v, out) -> { });
+        return run(forces, new double[mass.length], new double[mass.length], (t, x, v, out) -> {});
     }
 
     /**
@@ -69,7 +69,9 @@ public final class Bench {
             for (int i = 0; i < mass.length; i++) {
                 position[i][j] = x[i];
                 velocity[i][j] = v[i];
-                acceleration[i][j] = (force[i] - Math.copySign(Math.min(most[i], v[i] == 0 ? Math.abs(force[i]) : most[i]), v[i] == 0 ? force[i] : v[i])) / mass[i];
+                acceleration[i][j] = (force[i]
+                        - Math.copySign(Math.min(most[i], v[i] == 0 ? Math.abs(force[i]) : most[i]), v[i] == 0 ? force[i] : v[i]))
+                        / mass[i];
                 x[i] += h / 2 * v[i];
                 middle[i] = v[i] + h / 2 * force[i] / mass[i];
             }
@@ -207,6 +209,6 @@ public final class Bench {
     }
 
     public static Diagnosis diagnosed(Model model, Recording recording) {
-        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
+        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> {});
     }
 }

@@ -14,15 +14,15 @@ import java.util.function.DoubleUnaryOperator;
  */
 final class BenchRun {
 
-    private BenchRun() { }
+    private BenchRun() {}
 
     /** @param args folder */
     public static void main(String[] args) throws IOException {
         Random random = new Random(19);
         DoubleUnaryOperator push = Bench.tones(40, 0.3, 0.4925, 2.5, random);
         DoubleUnaryOperator roller = t -> 0.010 * Math.sin(2 * Math.PI * 0.06 * t) + 0.005 * Math.sin(2 * Math.PI * 0.17 * t + 1);
-        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) ->
-                out[0] = push.applyAsDouble(t) - 8000 / Math.pow(1 + 12 * roller.applyAsDouble(t), 3) * x[0] - 25 * v[0]);
+        Bench bench = new Bench(200, 30, 50, 2).run(
+                (t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 / Math.pow(1 + 12 * roller.applyAsDouble(t), 3) * x[0] - 25 * v[0]);
         double[] pushed = Bench.noisy(bench.sampled(push), 1e-3, random);
         double[] read = Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random);
         double[] rolled = Bench.noisy(bench.sampled(roller), 2e-5, random);

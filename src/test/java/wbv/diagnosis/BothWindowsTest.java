@@ -75,8 +75,8 @@ class BothWindowsTest {
         Fitter fitter = new Fitter(evidence);
         Candidate baseline = Baseline.of(evidence);
         Fitter.State fit = fitter.look(baseline, baseline.start(), evidence.fit());
-        Readings.errors(evidence, fit).values().forEach(errors -> errors.forEach((key, value) ->
-                assertTrue(!key.equals("delay_s") || Math.abs(value) <= 0.3 / 480 + 1e-12, key + " " + value)));
+        Readings.errors(evidence, fit).values().forEach(errors -> errors
+                .forEach((key, value) -> assertTrue(!key.equals("delay_s") || Math.abs(value) <= 0.3 / 480 + 1e-12, key + " " + value)));
         Diagnosis diagnosis = diagnosed(recording(480, 4, 0, 0, 0));
         assertEquals(Diagnosis.Verdict.NOTHING_MISSING, diagnosis.verdict(), diagnosis.sentence());
     }
@@ -99,7 +99,7 @@ class BothWindowsTest {
     }
 
     private static Diagnosis diagnosed(Model model, Recording recording) {
-        return Diagnoser.diagnose(model, recording, (step, share) -> { });
+        return Diagnoser.diagnose(model, recording, (step, share) -> {});
     }
 
     /** A ride up to 11 Hz, the head shaken besides by noise of its own between two moments. */

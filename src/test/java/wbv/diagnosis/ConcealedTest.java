@@ -25,7 +25,7 @@ class ConcealedTest {
     void theConcealedEffectIsNamedAndNothingElse(String name) throws IOException {
         Path folder = FOLDER.resolve(name);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(folder.resolve("model.json")),
-                new RecordingFile(folder.resolve("recording.csv.gz")).load(), (step, share) -> { });
+                new RecordingFile(folder.resolve("recording.csv.gz")).load(), (step, share) -> {});
         JsonNode concealed = new ObjectMapper().readTree(SealedCase.open(folder)).get("mechanisms").get(0);
         String mechanism = concealed.get("mechanism").asText();
         if (mechanism.equals("none") || mechanism.equals("parameters")) {

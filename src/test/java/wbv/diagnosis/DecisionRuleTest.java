@@ -25,21 +25,21 @@ class DecisionRuleTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-        n 0.6 v 0.4                        | NOTHING_MISSING | n          | 1.0
-        v 0.5 f 0.5                        | PARAMETERS_ONLY | v          | 0.5
-        n 0.3 v 0.25 f 0.45                | NOTHING_MISSING | n          | 0.55
-        n 0.25 v 0.24 f 0.51               | AMBIGUOUS       | f,n,v      | 1.0
-        f 0.9 e1 0.1                       | MISSING_PHYSICS | f          | 0.9
-        f 0.899 h 0.101                    | AMBIGUOUS       | f,h        | 1.0
-        f 0.5 h 0.4 s 0.1                  | AMBIGUOUS       | f,h        | 0.9
-        f 0.4 h 0.3 s 0.2 q 0.1            | AMBIGUOUS       | f,h,s      | 0.9
-        e1 0.3 e2 0.2 f 0.5                | SOMETHING_ELSE  | e1,e2      | 0.5
-        f 0.55 e1 0.45                     | AMBIGUOUS       | f,e1       | 1.0
-        f 0.8 a 0.05 b 0.05 c 0.05 d 0.05  | MISSING_PHYSICS | f          | 0.8
-        f 0.6 h 0.2 a 0.06 b 0.06 c 0.04 d 0.04 | AMBIGUOUS  | f,h        | 0.8
-        e1 0.97 f 0.03                     | SOMETHING_ELSE  | e1         | 0.97
-        f+h 0.95 f 0.05                    | MISSING_PHYSICS | f+h        | 0.95
-        """)
+            n 0.6 v 0.4                        | NOTHING_MISSING | n          | 1.0
+            v 0.5 f 0.5                        | PARAMETERS_ONLY | v          | 0.5
+            n 0.3 v 0.25 f 0.45                | NOTHING_MISSING | n          | 0.55
+            n 0.25 v 0.24 f 0.51               | AMBIGUOUS       | f,n,v      | 1.0
+            f 0.9 e1 0.1                       | MISSING_PHYSICS | f          | 0.9
+            f 0.899 h 0.101                    | AMBIGUOUS       | f,h        | 1.0
+            f 0.5 h 0.4 s 0.1                  | AMBIGUOUS       | f,h        | 0.9
+            f 0.4 h 0.3 s 0.2 q 0.1            | AMBIGUOUS       | f,h,s      | 0.9
+            e1 0.3 e2 0.2 f 0.5                | SOMETHING_ELSE  | e1,e2      | 0.5
+            f 0.55 e1 0.45                     | AMBIGUOUS       | f,e1       | 1.0
+            f 0.8 a 0.05 b 0.05 c 0.05 d 0.05  | MISSING_PHYSICS | f          | 0.8
+            f 0.6 h 0.2 a 0.06 b 0.06 c 0.04 d 0.04 | AMBIGUOUS  | f,h        | 0.8
+            e1 0.97 f 0.03                     | SOMETHING_ELSE  | e1         | 0.97
+            f+h 0.95 f 0.05                    | MISSING_PHYSICS | f+h        | 0.95
+            """)
     void aPosteriorIsReadAsItStands(String posterior, DecisionRule.Verdict verdict, String claims, double probability) {
         Map<Claim, Double> all = new LinkedHashMap<>();
         String[] words = posterior.trim().split(" ");
@@ -55,7 +55,8 @@ class DecisionRuleTest {
     @Test
     void evidenceTurnsThePriorAndTemperatureCoolsIt() {
         Claim friction = claim("f");
-        List<Posterior.Weighed> weighed = List.of(new Posterior.Weighed(Claim.VALUES, 0.5, -100), new Posterior.Weighed(friction, 0.02, -94),
+        List<Posterior.Weighed> weighed = List.of(new Posterior.Weighed(Claim.VALUES, 0.5, -100),
+                new Posterior.Weighed(friction, 0.02, -94),
                 new Posterior.Weighed(friction, 0.02, -94), new Posterior.Weighed(claim("e"), 0, 1000));
         double plain = 0.04 * Math.exp(6) / (0.5 + 0.04 * Math.exp(6));
         double cooled = 0.04 * Math.exp(2) / (0.5 + 0.04 * Math.exp(2));

@@ -49,7 +49,8 @@ class DeviceFaultsTest {
         Evidence evidence = evidence(concealed("", true, 80));
         Candidate baseline = Baseline.of(evidence);
         List<Hypothesis> all = hypotheses(evidence, baseline);
-        for (Map.Entry<String, double[]> each : Map.of("sensor.delay@head", new double[] {0.012, 0}, "sensor.misalignment@head", new double[] {0.15}).entrySet()) {
+        for (Map.Entry<String, double[]> each : Map
+                .of("sensor.delay@head", new double[] {0.012, 0}, "sensor.misalignment@head", new double[] {0.15}).entrySet()) {
             Hypothesis hypothesis = all.stream().filter(h -> h.name().equals(each.getKey())).findFirst().orElseThrow();
             assertEquals(Place.Kind.DEVICE, Place.of(hypothesis).kind());
             assertTrue(Place.andDevices(evidence).contains(Place.of(hypothesis)), "and it can be ignored as a whole");
@@ -57,10 +58,12 @@ class DeviceFaultsTest {
             double[] x = baseline.extended(baseline.start(), with, hypothesis, each.getValue());
             List<SensorFault> faults = with.at(x).outputs().stream().flatMap(output -> output.faults().stream()).toList();
             if (each.getKey().startsWith("sensor.delay")) {
-                assertEquals(List.of(new SensorFault.Delay(0.012, 0), new SensorFault.Delay(0.012, 0), new SensorFault.Delay(0.012, 0)), faults);
+                assertEquals(List.of(new SensorFault.Delay(0.012, 0), new SensorFault.Delay(0.012, 0), new SensorFault.Delay(0.012, 0)),
+                        faults);
             } else {
                 // What one axis gains of the other, that loses of it.
-                assertEquals(List.of(0.15, -0.15), faults.stream().map(fault -> ((SensorFault.Turned) fault).angle()).sorted((a, b) -> Double.compare(b, a)).toList());
+                assertEquals(List.of(0.15, -0.15),
+                        faults.stream().map(fault -> ((SensorFault.Turned) fault).angle()).sorted((a, b) -> Double.compare(b, a)).toList());
             }
             slopesAreDifferences(evidence, with, x);
         }
@@ -100,7 +103,7 @@ class DeviceFaultsTest {
     @CsvSource({"sensor.misalignment, true, 82", "sensor.delay, false, 81"})
     void aWholeDeviceIsAtFault(String word, boolean exact, long seed) throws Exception {
         ConcealedCase made = concealed(word, exact, seed);
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> {});
         assertEquals(List.of(word), diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList(), diagnosis.sentence());
         assertTrue(made.key().contains("\"" + diagnosis.missing().get(0).where() + ".acc.z\""), made.key() + diagnosis.sentence());
     }

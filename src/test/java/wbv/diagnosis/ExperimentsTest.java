@@ -92,7 +92,8 @@ class ExperimentsTest {
         assertEquals("Take the cushion away.", own.between(List.of(hardening), List.of(cushion), BASE, false, false));
         String stop = own.between(List.of(cushion), List.of(named("contact.bumpstop", "seat-torso", 0.3)), BASE, false, false);
         assertTrue(stop.contains("weight"), stop);
-        assertEquals(Family.LEVELS, EXPERIMENTS.between(List.of(cushion), List.of(hardening), BASE, false, false), "a word that nobody knows");
+        assertEquals(Family.LEVELS, EXPERIMENTS.between(List.of(cushion), List.of(hardening), BASE, false, false),
+                "a word that nobody knows");
     }
 
     private record Cushion() implements Mechanism.Custom {

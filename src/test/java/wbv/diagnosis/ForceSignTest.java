@@ -38,7 +38,8 @@ class ForceSignTest {
         assertTrue(!right.sentence().contains("of the other sign"), right.sentence());
         assertTrue(turned.sentence().startsWith(wrong + " is of the other sign"), turned.sentence());
         assertTrue(turned.sentence().endsWith(right.sentence()), turned.sentence() + "\n" + right.sentence());
-        assertEquals(cubic > 0 ? List.of("stiffness.hardening") : List.of(), turned.missing().stream().map(Diagnosis.Named::mechanism).toList(), turned.sentence());
+        assertEquals(cubic > 0 ? List.of("stiffness.hardening") : List.of(),
+                turned.missing().stream().map(Diagnosis.Named::mechanism).toList(), turned.sentence());
         assertEquals(right.missing(), turned.missing());
     }
 
@@ -65,18 +66,21 @@ class ForceSignTest {
         channels.put(STROKE, stroke);
         channels.put(FOOT, force);
         Recording bench = new Recording(new Clock(0, rate), channels, Metadata.NONE);
-        Model model = new Model("damper", Optional.empty(), 'z', new Model.Base("table", Optional.of(STROKE)), List.of(Model.Body.fixed("frame")),
+        Model model = new Model("damper", Optional.empty(), 'z', new Model.Base("table", Optional.of(STROKE)),
+                List.of(Model.Body.fixed("frame")),
                 List.of(new Model.Link("table", "frame", 18000, 1000, Optional.of(FOOT), List.of(), List.of())));
         Diagnosis right = Bench.diagnosed(model, bench);
         Diagnosis turned = Bench.diagnosed(model, turned(bench, FOOT));
         assertEquals(List.of(), right.missing(), right.sentence());
-        assertTrue(turned.sentence().startsWith(FOOT + " is of the other sign") && turned.sentence().endsWith(right.sentence()), turned.sentence());
+        assertTrue(turned.sentence().startsWith(FOOT + " is of the other sign") && turned.sentence().endsWith(right.sentence()),
+                turned.sentence());
         assertEquals(List.of(), turned.missing(), turned.sentence());
     }
 
     private static Recording turned(Recording recording, Channel wrong) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
-        recording.channels().forEach(channel -> channels.put(channel, Arrays.stream(recording.values(channel)).map(x -> channel.equals(wrong) ? -x : x).toArray()));
+        recording.channels().forEach(channel -> channels.put(channel,
+                Arrays.stream(recording.values(channel)).map(x -> channel.equals(wrong) ? -x : x).toArray()));
         return new Recording(recording.clock(), channels, recording.metadata());
     }
 
@@ -88,7 +92,8 @@ class ForceSignTest {
     private static Recording bench(Channel sensor, double cubic, long seed) {
         Random random = new Random(seed);
         DoubleUnaryOperator push = Bench.tones(40, 0.5, 0.49, 3.4, random);
-        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
+        Bench bench = new Bench(200, 30, 50, 2)
+                .run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
         double[] pushed = bench.sampled(push);
         double[] accelerated = bench.sampled(bench.acceleration(0));
         double[] below = pushed.clone();

@@ -38,7 +38,8 @@ class FreeBodyDiagnosisTest {
 
     @Tag("exam")
     @ParameterizedTest
-    @CsvSource({"100, 12, 3, 0.9, 1.1, 0.4", "100, 12, 4, 1.05, 0.88, -0.2", "250, 12, 5, 0.95, 1.1, 0.3", "1000, 6, 6, 1.05, 0.88, -0.2", "1000, 6, 7, 0.92, 1.1, 0.4"})
+    @CsvSource({"100, 12, 3, 0.9, 1.1, 0.4", "100, 12, 4, 1.05, 0.88, -0.2", "250, 12, 5, 0.95, 1.1, 0.3", "1000, 6, 6, 1.05, 0.88, -0.2",
+        "1000, 6, 7, 0.92, 1.1, 0.4"})
     void overSeedsAndRates(double rate, double seconds, long seed, double massError, double dampingError, double speed) {
         isFound(rate, seconds, seed, massError, dampingError, speed);
     }
@@ -80,15 +81,18 @@ class FreeBodyDiagnosisTest {
     }
 
     private static Model slide(double mass, double damping, List<wbv.body.law.Law> laws) {
-        return new Model("slide", Optional.empty(), 'z', new Model.Base("bench", Optional.empty()), List.of(Bench.body("slide", mass, Optional.of(POSITION))),
-                List.of(new Model.Link("bench", "slide", 0, damping, Optional.empty(), laws, List.of())), List.of(new Model.Input("slide", FORCE)));
+        return new Model("slide", Optional.empty(), 'z', new Model.Base("bench", Optional.empty()),
+                List.of(Bench.body("slide", mass, Optional.of(POSITION))),
+                List.of(new Model.Link("bench", "slide", 0, damping, Optional.empty(), laws, List.of())),
+                List.of(new Model.Input("slide", FORCE)));
     }
 
     /** Under forty tones up to 6 Hz. */
     static Recording record(double rate, double seconds, long seed, double friction, double speed) {
         Random random = new Random(seed);
         DoubleUnaryOperator push = Bench.tones(40, 0.3, 0.15, 15, random);
-        Bench bench = new Bench(rate, seconds, (int) Math.round(20000 / rate), MASS).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 15 * v[0],
+        Bench bench = new Bench(rate, seconds, (int) Math.round(20000 / rate), MASS).run(
+                (t, x, v, out) -> out[0] = push.applyAsDouble(t) - 15 * v[0],
                 new double[] {speed == 0 ? 0 : 0.07}, new double[] {speed}, (t, x, v, out) -> out[0] = friction);
         return bench.recording(FORCE, bench.sampled(push), POSITION, Bench.noisy(bench.sampled(bench.position(0)), NOISE, random));
     }

@@ -82,7 +82,8 @@ class GearTest {
     private static Model pushed(long seed) {
         DoubleUnaryOperator wrong = wrong(seed);
         return new Model("gear", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
-                List.of(Bench.body("motor", wrong.applyAsDouble(3), Optional.of(MOTOR)), Bench.body("load", wrong.applyAsDouble(2), Optional.of(LOAD))),
+                List.of(Bench.body("motor", wrong.applyAsDouble(3), Optional.of(MOTOR)),
+                        Bench.body("load", wrong.applyAsDouble(2), Optional.of(LOAD))),
                 List.of(Bench.link("ground", "motor", 0, wrong.applyAsDouble(60), Optional.empty()),
                         Bench.link("motor", "load", wrong.applyAsDouble(STIFFNESS), wrong.applyAsDouble(DAMPING), Optional.empty()),
                         Bench.link("ground", "load", 0, wrong.applyAsDouble(30), Optional.empty())),
@@ -98,9 +99,10 @@ class GearTest {
         Random random = new Random(seed);
         DoubleUnaryOperator motor = Bench.tones(20, 0.3, 0.61, 0.0004, random);
         DoubleUnaryOperator speed = t -> (motor.applyAsDouble(t + 1e-5) - motor.applyAsDouble(t - 1e-5)) / 2e-5;
-        Bench bench = new Bench(500, 10, 40, 2).run((t, x, v, out) ->
-                out[0] = -spring(x[0] - motor.applyAsDouble(t), gap) - DAMPING * (v[0] - speed.applyAsDouble(t)));
-        return bench.recording(MOTOR, Bench.noisy(bench.sampled(motor), 1e-7, random), LOAD, offset(Bench.noisy(bench.sampled(bench.position(0)), 2e-6, random)));
+        Bench bench = new Bench(500, 10, 40, 2)
+                .run((t, x, v, out) -> out[0] = -spring(x[0] - motor.applyAsDouble(t), gap) - DAMPING * (v[0] - speed.applyAsDouble(t)));
+        return bench.recording(MOTOR, Bench.noisy(bench.sampled(motor), 1e-7, random), LOAD,
+                offset(Bench.noisy(bench.sampled(bench.position(0)), 2e-6, random)));
     }
 
     /** 3 kg and 2 kg, each with friction in oil, under thirty tones up to 12 Hz; 5 µm of noise. */

@@ -50,7 +50,8 @@ class InputSensorTest {
         Random random = new Random(seed);
         DoubleUnaryOperator push = push(random);
         Bench bench = bench(push, 0);
-        Recording recording = bench.recording(PUSH, bench.sampled(t -> 1.4 * push.applyAsDouble(t)), POSITION, Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random));
+        Recording recording = bench.recording(PUSH, bench.sampled(t -> 1.4 * push.applyAsDouble(t)), POSITION,
+                Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random));
         Diagnosis d = Bench.diagnosed(Bench.oscillator(2, 8000, 25, Channel.parse(POSITION)), recording);
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, d.verdict(), d.sentence());
         assertTrue(d.sentence().contains(PUSH + " read 1.40 times the force"), d.sentence());
@@ -103,7 +104,8 @@ class InputSensorTest {
     }
 
     private static Bench bench(DoubleUnaryOperator push, double cubic) {
-        return new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0] - cubic * x[0] * x[0] * x[0]);
+        return new Bench(200, 30, 50, 2)
+                .run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0] - cubic * x[0] * x[0] * x[0]);
     }
 
     /** @param steps of the position, in parts of its root mean square; 0 for 0.3 % of noise */
@@ -112,7 +114,8 @@ class InputSensorTest {
         DoubleUnaryOperator push = push(random);
         Bench bench = bench(push, cubic);
         double[] x = bench.sampled(bench.position(0));
-        Recording recording = bench.recording(PUSH, fault.of(bench, push), POSITION, steps > 0 ? stepped(x, steps) : Bench.noisyBy(0.003, x, random));
+        Recording recording = bench.recording(PUSH, fault.of(bench, push), POSITION,
+                steps > 0 ? stepped(x, steps) : Bench.noisyBy(0.003, x, random));
         return Bench.diagnosed(Bench.oscillator(2 * Math.exp(0.05 * random.nextGaussian()), 8000 * Math.exp(0.05 * random.nextGaussian()),
                 25 * Math.exp(0.05 * random.nextGaussian()), Channel.parse(POSITION)), recording);
     }

@@ -57,7 +57,8 @@ class IntervalsTest {
     private static Model model(double[] masses) {
         List<Model.Body> bodies = IntStream.range(0, 2)
                 .mapToObj(b -> new Model.Body(b == 0 ? "seat" : "torso", MASS[b] * masses[b],
-                Optional.of(OUTPUTS.get(b)), List.of(), Optional.empty(), List.of())).toList();
+                        Optional.of(OUTPUTS.get(b)), List.of(), Optional.empty(), List.of()))
+                .toList();
         return new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies,
                 List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
     }
@@ -68,7 +69,8 @@ class IntervalsTest {
 
     /** A law, as a hypothesis with wide bounds. @param start values from which to search */
     private static Hypothesis hypothesis(Law law, List<Hypothesis.Number> bounds, double... start) {
-        return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "", List.of(new Hypothesis.Addition.InLink(LINK, law)),
+        return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "",
+                List.of(new Hypothesis.Addition.InLink(LINK, law)),
                 Hypothesis.Number.named(law.getClass(), bounds), List.of(Hypothesis.Start.fixed(start)));
     }
 

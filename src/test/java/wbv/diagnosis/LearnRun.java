@@ -21,29 +21,35 @@ import wbv.recording.format.RecordingFile;
 /** Shows what is learned on a case, sentence by sentence: {@code LearnRun FOLDER...}, each with recording.csv.gz and model.json. */
 final class LearnRun {
 
-    private LearnRun() { }
+    private LearnRun() {}
 
     public static void main(String[] folders) throws Exception {
         for (String folder : folders) {
             Model model = ModelFile.read(Path.of(folder, "model.json"));
             Recording recording = new RecordingFile(Path.of(folder, "recording.csv.gz")).load();
             long start = System.nanoTime();
-            Diagnosed found = Diagnoser.examine(Question.of(model, recording), (step, share) -> { });
-            System.out.printf(Locale.ROOT, "%s %.1f s %s: %s%n", folder, (System.nanoTime() - start) / 1e9, found.diagnosis().verdict(), found.diagnosis().sentence());
+            Diagnosed found = Diagnoser.examine(Question.of(model, recording), (step, share) -> {});
+            System.out.printf(Locale.ROOT, "%s %.1f s %s: %s%n", folder, (System.nanoTime() - start) / 1e9, found.diagnosis().verdict(),
+                    found.diagnosis().sentence());
             Evidence evidence = found.evidence;
-            Search search = new Search(evidence, (step, share) -> { });
+            Search search = new Search(evidence, (step, share) -> {});
             Candidate baseline = Baseline.of(evidence);
             Fitter.State base = search.base(baseline);
             List<Known.Ignoring> places = new Locator(evidence, baseline).singles(base.x());
-            places.stream().limit(4).forEach(place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
+            places.stream().limit(4).forEach(
+                    place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
             start = System.nanoTime();
             List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences();
-            System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9, base.reduced(), search.refinement().heldOut(base));
-            sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8).forEach(each -> System.out.printf(Locale.ROOT,
-                    "   %9.1f nat  left %8.3f held out %8.3f  %s%n", each.evidence(), each.fit().reduced(), search.refinement().heldOut(each.fit()), LearnedWords.of(model, each.fit())));
+            System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9,
+                    base.reduced(), search.refinement().heldOut(base));
+            sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8)
+                    .forEach(each -> System.out.printf(Locale.ROOT,
+                            "   %9.1f nat  left %8.3f held out %8.3f  %s%n", each.evidence(), each.fit().reduced(),
+                            search.refinement().heldOut(each.fit()), LearnedWords.of(model, each.fit())));
             LawLearner.Sentence first = sentences.get(0);
             Fitter.State polished = search.refinement().polish(first.fit());
-            System.out.printf(Locale.ROOT, "   polished left %8.3f held out %8.3f  %s%n", polished.reduced(), search.refinement().heldOut(polished), LearnedWords.of(model, polished));
+            System.out.printf(Locale.ROOT, "   polished left %8.3f held out %8.3f  %s%n", polished.reduced(),
+                    search.refinement().heldOut(polished), LearnedWords.of(model, polished));
         }
     }
 }

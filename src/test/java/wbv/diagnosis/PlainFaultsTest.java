@@ -29,7 +29,8 @@ class PlainFaultsTest {
             double added = (channel.toString().endsWith("acc.z") ? everywhere : 0) + more.getOrDefault(channel.toString(), 0.0);
             values.put(channel, Arrays.stream(sound.values(channel)).map(a -> a + added).toArray());
         }
-        Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")), new Recording(sound.clock(), values, sound.metadata()));
+        Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")),
+                new Recording(sound.clock(), values, sound.metadata()));
         Candidate baseline = Baseline.of(evidence);
         Fitter.State look = new Fitter(evidence).look(baseline, baseline.start(), evidence.fit());
         return new PlainFaults(evidence).in(look, look);

@@ -25,7 +25,7 @@ class PlaneDiagnosisTest {
     }
 
     private static Diagnosis diagnosed(ConcealedCase made) {
-        return Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
+        return Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> {});
     }
 
     @Tag("slow")
@@ -67,6 +67,7 @@ class PlaneDiagnosisTest {
         assertFalse(model.isAlongOneAxis());
         assertEquals(9, model.bodies().size());
         // The masses of three bodies: what only turns weighs nothing, and what moves two ways weighs once.
-        assertEquals(model.bodies().stream().filter(body -> body.name().endsWith(".x")).mapToDouble(Model.Body::mass).sum(), model.mass(), 1e-9);
+        assertEquals(model.bodies().stream().filter(body -> body.name().endsWith(".x")).mapToDouble(Model.Body::mass).sum(), model.mass(),
+                1e-9);
     }
 }

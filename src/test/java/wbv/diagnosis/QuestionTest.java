@@ -36,9 +36,9 @@ class QuestionTest {
         Model.Link link = question.asked().links().get(0);
         assertEquals(60000, link.stiffness(), 600);
         assertEquals(1500, link.damping(), 30);
-        assertEquals(Diagnosis.Verdict.NOTHING_MISSING, Diagnoser.diagnose(question, (step, share) -> { }).verdict());
+        assertEquals(Diagnosis.Verdict.NOTHING_MISSING, Diagnoser.diagnose(question, (step, share) -> {}).verdict());
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY,
-                Diagnoser.diagnose(Question.of(model(36000, 2000), recording), (step, share) -> { }).verdict());
+                Diagnoser.diagnose(Question.of(model(36000, 2000), recording), (step, share) -> {}).verdict());
     }
 
     @Test

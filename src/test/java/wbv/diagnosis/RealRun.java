@@ -30,7 +30,7 @@ final class RealRun {
 
     static final Path REAL = Path.of("../shared/real");
 
-    private RealRun() { }
+    private RealRun() {}
 
     /** A row of the table. */
     record Row(String trained, String named, String verdict, String tested, double error, String unit, String toBeat) {
@@ -112,7 +112,7 @@ final class RealRun {
         double[] measured = java.util.Arrays.copyOfRange(recording.values(d.model().outputs().get(0)), from, recording.length());
         return new Row("MR damper " + record + ", first 70 %", named(d), d.verdict().word(), "last 30 %",
                 100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%",
-                        "17 (spring and dashpot 30 to 38)");
+                "17 (spring and dashpot 30 to 38)");
     }
 
     static Row drives(String record) throws IOException {
@@ -126,7 +126,7 @@ final class RealRun {
     private static Diagnosis diagnose(String name, Recording recording, Optional<Channel> simulation) throws IOException {
         Model model = ModelFile.read(Path.of("data/models", name + ".json"));
         Diagnosis d = Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()),
-                (step, share) -> { });
+                (step, share) -> {});
         return d;
     }
 
@@ -211,8 +211,7 @@ final class RealRun {
         for (Channel channel : first.channels()) {
             double[] gap = new double[20];
             java.util.Arrays.fill(gap, Double.NaN);
-            all.put(channel, parts.stream().flatMapToDouble(part ->
-                    DoubleStream.concat(java.util.Arrays.stream(part.values(channel)),
+            all.put(channel, parts.stream().flatMapToDouble(part -> DoubleStream.concat(java.util.Arrays.stream(part.values(channel)),
                     java.util.Arrays.stream(gap))).toArray());
         }
         return new Recording(new Clock(0, first.clock().rate()), all, first.metadata());

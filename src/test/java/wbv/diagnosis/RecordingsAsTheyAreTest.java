@@ -48,8 +48,9 @@ class RecordingsAsTheyAreTest {
     void aFastRecordingIsLikeAnyOther(int up, int down, double noise) throws IOException {
         Random random = new Random(1);
         Recording usual = recording(SOFTENING);
-        Recording fast = each(usual, usual.clock().rate() * up / down, (channel, x) -> Arrays.stream(BandlimitedResampler.resample(x, up, down))
-                .map(value -> value + noise * random.nextGaussian()).toArray());
+        Recording fast = each(usual, usual.clock().rate() * up / down,
+                (channel, x) -> Arrays.stream(BandlimitedResampler.resample(x, up, down))
+                        .map(value -> value + noise * random.nextGaussian()).toArray());
         Diagnosis diagnosis = diagnose(model(SOFTENING), fast);
         assertEquals(1, diagnosis.missing().size(), diagnosis.sentence());
         assertEquals("stiffness.softening", diagnosis.missing().get(0).mechanism());
@@ -65,7 +66,8 @@ class RecordingsAsTheyAreTest {
         DataFault refused = assertThrows(DataFault.class, () -> diagnose(model(NULL), slow));
         assertTrue(refused.getMessage().contains("40.00 Hz") && refused.getMessage().contains("--noise"), refused.getMessage());
         double noise = new NoiseLevel().ofPlace(usual, Channel.parse("platform.acc.z"));
-        Diagnosis diagnosis = Diagnoser.diagnose(new Question(model(NULL), slow, Optional.empty(), OptionalDouble.of(noise)), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(new Question(model(NULL), slow, Optional.empty(), OptionalDouble.of(noise)),
+                (step, share) -> {});
         assertEquals(Diagnosis.Verdict.NOTHING_MISSING, diagnosis.verdict(), diagnosis.sentence());
     }
 
@@ -137,7 +139,7 @@ class RecordingsAsTheyAreTest {
     /** What a diagnosis calls {@code fit().before()}: the fitted model without physics missing; no mechanism need be tried for it. */
     private static double before(Recording recording) throws IOException {
         Evidence evidence = new Evidence(model(SOFTENING), recording);
-        return new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence)).reduced();
+        return new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence)).reduced();
     }
 
     @Test
@@ -152,7 +154,8 @@ class RecordingsAsTheyAreTest {
         List<Model.Link> links = new ArrayList<>(given.links());
         Model.Link last = links.remove(links.size() - 1);
         links.add(new Model.Link(last.from(), last.to(), last.stiffness(), 0, last.sensor(), last.laws(), last.drives()));
-        Diagnosis diagnosis = diagnose(new Model(given.name(), given.source(), given.axis(), given.base(), given.bodies(), links, given.inputs()),
+        Diagnosis diagnosis = diagnose(
+                new Model(given.name(), given.source(), given.axis(), given.base(), given.bodies(), links, given.inputs()),
                 recording(NULL));
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
         double found = diagnosis.model().links().get(links.size() - 1).damping();
@@ -166,7 +169,7 @@ class RecordingsAsTheyAreTest {
     }
 
     private static Diagnosis diagnose(Model model, Recording recording) {
-        return Diagnoser.diagnose(model, recording, (step, share) -> { });
+        return Diagnoser.diagnose(model, recording, (step, share) -> {});
     }
 
     private static Model model(Path folder) throws IOException {

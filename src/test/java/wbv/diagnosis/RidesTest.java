@@ -80,16 +80,19 @@ class RidesTest {
         Map<String, Recording> fitted = fitted("quiet", ride(0.4, 1));
         fitted.put("usual", ride(0.8, 2));
         Rides rides = Rides.of(fitted, Optional.of(Map.entry("strong", ride(1.6, 3))));
-        Question question = new Question(model(1.06, List.of()), rides.recording(), Optional.empty(), OptionalDouble.empty()).proved(rides.provedFrom());
-        Diagnosed found = Diagnoser.examine(question, (step, share) -> { });
+        Question question = new Question(model(1.06, List.of()), rides.recording(), Optional.empty(), OptionalDouble.empty())
+                .proved(rides.provedFrom());
+        Diagnosed found = Diagnoser.examine(question, (step, share) -> {});
         assertEquals("stiffness.hardening", found.diagnosis().missing().get(0).mechanism(), found.diagnosis().sentence());
         found.diagnosis().fit().nrmseAfter().forEach((channel, after) -> {
             double floor = found.diagnosis().fit().nrmseFloor().get(channel);
             assertTrue(after < 1.6 * floor, channel + " " + after + ", noise " + floor);
-            assertTrue(found.diagnosis().fit().nrmseBefore().get(channel) > 3 * after, channel + " before " + found.diagnosis().fit().nrmseBefore().get(channel));
+            assertTrue(found.diagnosis().fit().nrmseBefore().get(channel) > 3 * after,
+                    channel + " before " + found.diagnosis().fit().nrmseBefore().get(channel));
         });
         double[] time = found.predicted().earlier(rides.moved()).time();
-        assertTrue(time[0] >= 1 && time[0] < 4 && time[time.length - 1] > 25 && time[time.length - 1] < 30, time[0] + " to " + time[time.length - 1]);
+        assertTrue(time[0] >= 1 && time[0] < 4 && time[time.length - 1] > 25 && time[time.length - 1] < 30,
+                time[0] + " to " + time[time.length - 1]);
     }
 
     private static Map<String, Recording> fitted(String name, Recording recording) {
@@ -103,9 +106,10 @@ class RidesTest {
     }
 
     private static Model model(double off, List<Law> laws) {
-        return new Model("two", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), List.of(body("sternum", 40), body("head", 6)), List.of(
-                new Model.Link("platform", "sternum", off * 45000, 1200 / off, Optional.empty(), laws, List.of()),
-                new Model.Link("sternum", "head", 22000 / off, off * 160, Optional.empty(), List.of(), List.of())));
+        return new Model("two", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
+                List.of(body("sternum", 40), body("head", 6)), List.of(
+                        new Model.Link("platform", "sternum", off * 45000, 1200 / off, Optional.empty(), laws, List.of()),
+                        new Model.Link("sternum", "head", 22000 / off, off * 160, Optional.empty(), List.of(), List.of())));
     }
 
     private static Model.Body body(String name, double mass) {

@@ -113,7 +113,7 @@ class RigDiagnosisTest {
     }
 
     private static Diagnosis diagnose(Model model, Recording recording, Optional<Channel> simulation) {
-        return Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
+        return Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> {});
     }
 
     private static Model driven(double stiffness, double damping) {
@@ -126,7 +126,8 @@ class RigDiagnosisTest {
     private static Recording duffing(double cubic) {
         Random random = new Random(11);
         DoubleUnaryOperator push = Bench.tones(200, 0.5, 0.1, 1.5, random);
-        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
+        Bench bench = new Bench(200, 30, 50, 2)
+                .run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
         return bench.recording(FORCE, bench.sampled(push), POSITION, Bench.noisy(bench.sampled(bench.position(0)), 8e-6, random));
     }
 

@@ -54,7 +54,8 @@ class ScheduledTest {
         ScheduledLink law = (ScheduledLink) d.model().links().get(0).laws().get(0);
         Modulator.Level level = (Modulator.Level) law.modulator();
         for (double u : new double[] {-1, 1}) {
-            double found = d.model().links().get(0).damping() * (1 + u * (law.linear() + u * (law.square() + u * (law.cube() + u * law.fourth()))));
+            double found = d.model().links().get(0).damping()
+                    * (1 + u * (law.linear() + u * (law.square() + u * (law.cube() + u * law.fourth()))));
             assertEquals(25 * (1 + 0.6 * level.value(u)), found, 0.05 * found, d.sentence());
         }
     }
@@ -111,10 +112,12 @@ class ScheduledTest {
     }
 
     private static void isNamed(Diagnosis d, String mechanism) {
-        assertEquals(List.of(mechanism + " at ground-mass"), d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(), d.sentence());
+        assertEquals(List.of(mechanism + " at ground-mass"), d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList(),
+                d.sentence());
         Diagnosis.Proof proof = d.fit().channels().get(0);
         double noise = 0.003;   // of the channel's own size, which is the unit of these errors
-        assertTrue(proof.after().value() < (mechanism.startsWith("friction") ? 2.5 : 1.2) * Math.max(noise, proof.floor()), d.sentence() + " " + proof);
+        assertTrue(proof.after().value() < (mechanism.startsWith("friction") ? 2.5 : 1.2) * Math.max(noise, proof.floor()),
+                d.sentence() + " " + proof);
     }
 
     private static Diagnosis diagnosed(Recording bench, long seed) {

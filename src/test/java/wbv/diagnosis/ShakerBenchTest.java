@@ -40,7 +40,8 @@ class ShakerBenchTest {
         for (long seed = 1; seed <= 4; seed++) {
             Diagnosis d = diagnosed(model(80, "\"rig\""), bench(80, 1000, 3, cubic, seed));
             assertEquals(Model.Subject.RIG, d.model().subject());
-            if (d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList().equals(List.of("stiffness.hardening at table-mass"))) {
+            if (d.missing().stream().map(n -> n.mechanism() + " at " + n.where()).toList()
+                    .equals(List.of("stiffness.hardening at table-mass"))) {
                 // Nothing measures a force: the mass is held, and k3 is known as well as the mass is, which is given right here.
                 assertEquals(cubic, d.missing().get(0).parameters().get("k3_N_per_m3"), 0.1 * cubic, d.sentence());
             } else {
@@ -93,11 +94,12 @@ class ShakerBenchTest {
                 + Optional.ofNullable(inputs).orElse("")
                 + "\"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.acc.z\"}], \"links\": [{\"from\": \"ground\", "
                 + "\"to\": \"mass\", \"stiffness_N_per_m\": 1000, \"damping_Ns_per_m\": 1}]}", "model.json"));
-        assertTrue(fault.getMessage().contains("subject") && fault.getMessage().contains(told) && fault.getMessage().lines().count() == 1, fault.getMessage());
+        assertTrue(fault.getMessage().contains("subject") && fault.getMessage().contains(told) && fault.getMessage().lines().count() == 1,
+                fault.getMessage());
     }
 
     private static Diagnosis diagnosed(Model model, Recording recording) {
-        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
+        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> {});
     }
 
     private static double stiffness(double resonance) {

@@ -35,16 +35,19 @@ class StandingTest {
 
     @BeforeAll
     static void fitted() {
-        evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)));
+        evidence = new Evidence(LawLearnerTest.model(List.of()),
+                LawLearnerTest.recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)));
         Candidate baseline = Baseline.of(evidence);
         base = new Fitter(evidence).look(baseline, baseline.start(), evidence.fit());
-        all = Library.standard().hypotheses(FittedScene.of(evidence, baseline.at(baseline.start()), new Motion(evidence, baseline.at(baseline.start()))));
+        all = Library.standard()
+                .hypotheses(FittedScene.of(evidence, baseline.at(baseline.start()), new Motion(evidence, baseline.at(baseline.start()))));
     }
 
     /** A fit with a mechanism that leaves so much. @param at which hypothesis of the library */
     private static Fitter.State leaving(double reduced, Optional<Hypothesis> at) {
         Candidate candidate = at.map(base.candidate()::with).orElse(base.candidate());
-        return new Fitter.State(candidate, candidate.start(), base.cost(), reduced * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
+        return new Fitter.State(candidate, candidate.start(), base.cost(), reduced * base.frame().whitening().degrees(), base.raw(),
+                base.errors(), base.slopes(), base.frame());
     }
 
     private static Optional<Hypothesis> mechanism(String word) {
@@ -54,7 +57,8 @@ class StandingTest {
     private static Standing standing(double without, double with, double rival) {
         Fitter.State found = leaving(with, mechanism("stiffness.hardening"));
         Fitter.State plain = leaving(without, Optional.empty());
-        return new Standing(new Fits(evidence, plain, plain, Chosen.single(found), List.of(found, leaving(rival, mechanism("friction.coulomb")))));
+        return new Standing(
+                new Fits(evidence, plain, plain, Chosen.single(found), List.of(found, leaving(rival, mechanism("friction.coulomb")))));
     }
 
     @Test
@@ -102,7 +106,8 @@ class StandingTest {
         Fitter.State plain = leaving(11, Optional.empty());
         Fitter.State single = leaving(3, mechanism("stiffness.hardening"));
         Candidate two = single.candidate().with(mechanism("sensor.clipping").orElseThrow());
-        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
+        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(),
+                base.errors(), base.slopes(), base.frame());
         double price = Math.log(50);
         Standing standing = new Standing(new Fits(evidence, plain, plain, new Chosen(both, price), List.of(single)));
         double alone = Math.pow(0.1 / 2, POWER);
@@ -116,7 +121,8 @@ class StandingTest {
         assertTrue(new Chosen(both, price).outweighs(1.1, one, 3));
         assertTrue(!new Chosen(both, price).outweighs(3.1, one, 3), "what does worse on data not used is no part");
         assertTrue(new Chosen(both, price).outweighs(2.5, one, 3), "a quiet stretch shows less of it");
-        assertTrue(!new Chosen(both, POWER * Math.log(20) + 1e-9).outweighs(1.1, one, 3) && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
+        assertTrue(!new Chosen(both, POWER * Math.log(20) + 1e-9).outweighs(1.1, one, 3)
+                && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
     }
 
     /** Rivals share what the first leaves them, in proportion; the found mechanism is none of them, however often it was fitted. */
@@ -143,8 +149,10 @@ class StandingTest {
         Fitter.State hardening = leaving(3, mechanism("stiffness.hardening"));
         Fitter.State clipping = leaving(4, mechanism("sensor.clipping"));
         Candidate two = hardening.candidate().with(mechanism("sensor.clipping").orElseThrow());
-        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
-        Standing standing = new Standing(new Fits(evidence, plain, plain, new Chosen(both, 1), List.of(hardening, clipping, leaving(5, mechanism("friction.coulomb")))));
+        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(),
+                base.errors(), base.slopes(), base.frame());
+        Standing standing = new Standing(new Fits(evidence, plain, plain, new Chosen(both, 1),
+                List.of(hardening, clipping, leaving(5, mechanism("friction.coulomb")))));
         assertEquals(List.of("friction.coulomb"), standing.rivals(1).stream().map(Diagnosis.Named::mechanism).toList());
     }
 

@@ -58,7 +58,8 @@ class SwingTest {
     void whereBothEndsCarryASensorTheFloorNeedNone() {
         ConcealedCase made = concealed(859);
         Map<Channel, double[]> left = new LinkedHashMap<>();
-        made.recording().channels().stream().filter(channel -> !channel.location().equals("platform") || channel.toString().equals("platform.acc.z"))
+        made.recording().channels().stream()
+                .filter(channel -> !channel.location().equals("platform") || channel.toString().equals("platform.acc.z"))
                 .forEach(channel -> left.put(channel, made.recording().values(channel)));
         Recording without = new Recording(made.recording().clock(), left, made.recording().metadata());
         Evidence evidence = new Evidence(ModelFile.parse(made.model(), "model.json"), without);
@@ -66,7 +67,8 @@ class SwingTest {
         Assembly given = baseline.at(baseline.start());
         List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
         assertTrue(drive(all, "coupling.axis@pelvis-torso[x]") instanceof Drive.CrossAxis);
-        assertTrue(all.stream().noneMatch(hypothesis -> hypothesis.name().equals("coupling.axis@platform-pelvis[x]")), "the floor's own motion across is not known");
+        assertTrue(all.stream().noneMatch(hypothesis -> hypothesis.name().equals("coupling.axis@platform-pelvis[x]")),
+                "the floor's own motion across is not known");
     }
 
     private static Drive drive(List<Hypothesis> all, String name) {
@@ -79,7 +81,7 @@ class SwingTest {
     @CsvSource({"857, seat-torso", "858, pelvis-torso"})
     void itIsNamedWhereItIs(long seed, String where) throws Exception {
         ConcealedCase made = concealed(seed);
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> {});
         assertEquals(Diagnosis.Verdict.MISSING_PHYSICS, diagnosis.verdict());
         assertEquals(List.of("coupling.axis"), diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList());
         assertEquals(where, diagnosis.missing().get(0).where());

@@ -38,7 +38,7 @@ class TrapsTest {
 
     private static final Path NULL_CASE = Path.of("data/arff/concealed/001");
     private static final Channel HEAD = Channel.parse("head.acc.z");
-    private static final BiConsumer<String, Double> QUIET = (step, share) -> { };
+    private static final BiConsumer<String, Double> QUIET = (step, share) -> {};
 
     @TempDir
     private Path folder;
@@ -197,7 +197,9 @@ class TrapsTest {
                 new ConcealedSpec("lost", List.of("unlisted.thixotropy"), 0.3, Setting.FIELD, false, -5830821692404056944L));
         assertEquals(Diagnosis.Verdict.LEARNED_LAW, diagnosis.verdict(), diagnosis.sentence());
         // The level of the ride and that of the link go together: either says of late.
-        assertTrue(diagnosis.learned().orElseThrow().terms().stream().allMatch(term -> term instanceof LearnedMemory || term.modulator() instanceof Modulator.Ride),
+        assertTrue(
+                diagnosis.learned().orElseThrow().terms().stream()
+                        .allMatch(term -> term instanceof LearnedMemory || term.modulator() instanceof Modulator.Ride),
                 diagnosis.sentence());
     }
 
@@ -205,7 +207,8 @@ class TrapsTest {
     @Tag("exam")
     @Test
     void aHiddenMassIsNoPush() throws Exception {
-        Diagnosis diagnosis = diagnosed(new ConcealedSpec("hidden", List.of("mode.hidden"), 0.1, Setting.ROTATION, false, -6316656002689495598L));
+        Diagnosis diagnosis = diagnosed(
+                new ConcealedSpec("hidden", List.of("mode.hidden"), 0.1, Setting.ROTATION, false, -6316656002689495598L));
         assertEquals("mode.hidden", diagnosis.missing().get(0).mechanism(), diagnosis.sentence());
         assertEquals("torso", diagnosis.missing().get(0).where(), diagnosis.sentence());
     }

@@ -24,7 +24,7 @@ final class Cases {
     private static final List<String> CHANNELS = List.of("platform.acc.z", "platform.acc.x", "platform.gyr.y", "platform.vel.z",
             "platform.pos.z", "seat.force.z", "head.acc.x", "head.acc.y");
 
-    private Cases() { }
+    private Cases() {}
 
     /** The models of src/test/resources/export/models.json. */
     static List<Model> models() throws IOException {
@@ -41,7 +41,8 @@ final class Cases {
         Map<Channel, double[]> values = new LinkedHashMap<>();
         for (String name : CHANNELS) {
             double[] x = new double[samples];
-            double size = name.contains("force") ? 12 : name.contains("gyr") ? 0.1 : name.contains("vel") ? 0.02 : name.contains("pos") ? 2e-3 : 0.6;
+            double size = name.contains("force") ? 12
+                    : name.contains("gyr") ? 0.1 : name.contains("vel") ? 0.02 : name.contains("pos") ? 2e-3 : 0.6;
             for (int tone = 0; tone < 12; tone++) {
                 double phase = 2 * Math.PI * random.nextDouble();
                 double frequency = 1 + 11 * random.nextDouble();
@@ -77,7 +78,8 @@ final class Cases {
     /** Whether a command runs here. */
     static boolean runs(String... command) {
         try {
-            return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start().waitFor() == 0;
+            return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start().waitFor()
+                    == 0;
         } catch (IOException e) {
             return false;
         } catch (InterruptedException e) {
@@ -89,7 +91,8 @@ final class Cases {
     /** Runs a command in a folder. @return what it printed @throws AssertionError with that, if it failed */
     static String run(Path folder, String... command) throws IOException, InterruptedException {
         Path log = folder.resolve("log.txt");
-        int code = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start().waitFor();
+        int code = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start()
+                .waitFor();
         if (code != 0) {
             throw new AssertionError(String.join(" ", command) + ": " + Files.readString(log));
         }

@@ -83,7 +83,8 @@ class FmuFileTest {
         assumeTrue(Cases.runs("cc", "--version"), "no C compiler here: no unit is run");
         List<Law> laws = Cases.models().stream().flatMap(model -> model.links().stream()).flatMap(link -> link.laws().stream()).distinct()
                 .filter(law -> law.modulator() instanceof Modulator.None).toList();
-        double[] acceleration = IntStream.range(0, STEPS).mapToDouble(i -> Math.min(1, i / 100.0) * (Math.sin(0.11 * i) + Math.sin(0.047 * i + 1) + 0.7 * Math.sin(0.23 * i)))
+        double[] acceleration = IntStream.range(0, STEPS)
+                .mapToDouble(i -> Math.min(1, i / 100.0) * (Math.sin(0.11 * i) + Math.sin(0.047 * i + 1) + 0.7 * Math.sin(0.23 * i)))
                 .toArray();
         Files.write(folder.resolve("acceleration.txt"), Arrays.stream(acceleration).mapToObj(Double::toString).toList());
         Map<String, Model> models = new TreeMap<>();
@@ -96,7 +97,8 @@ class FmuFileTest {
         Cases.run(folder, "python3", "importer.py");
         for (Map.Entry<String, Model> each : models.entrySet()) {
             List<LawAt> own = each.getValue().assembly().laws();
-            double[][] expected = new FreeRun(each.getValue().assembly().structure(), own, STEP, false).run(acceleration, new double[0][], false).force();
+            double[][] expected = new FreeRun(each.getValue().assembly().structure(), own, STEP, false)
+                    .run(acceleration, new double[0][], false).force();
             List<String> lines = Files.readAllLines(folder.resolve(each.getKey() + ".txt"));
             for (int i = 0; i < own.size(); i++) {
                 double size = Arrays.stream(expected[i]).map(Math::abs).max().orElseThrow();
@@ -114,7 +116,8 @@ class FmuFileTest {
      */
     private static Model with(Law law) throws IOException {
         Model chain = named("linear");
-        List<List<Law>> laws = List.of(named("law 12, hysteresis").links().get(1).laws(), List.of(law), named("law 10, friction.coulomb").links().get(1).laws());
+        List<List<Law>> laws = List.of(named("law 12, hysteresis").links().get(1).laws(), List.of(law),
+                named("law 10, friction.coulomb").links().get(1).laws());
         List<Model.Link> links = new ArrayList<>();
         for (int l = 0; l < 3; l++) {
             Model.Link link = chain.links().get(l);
@@ -128,7 +131,8 @@ class FmuFileTest {
         for (Model model : List.of(named("several at once"), named("damper on a bench, by position"))) {
             CSource source = new CSource(model);
             Map<String, byte[]> entries = entries(FmuFile.of(model).bytes());
-            Document description = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new ByteArrayInputStream(entries.get("modelDescription.xml")));
+            Document description = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+                    .parse(new ByteArrayInputStream(entries.get("modelDescription.xml")));
             assertEquals("3.0", description.getDocumentElement().getAttribute("fmiVersion"));
             Map<String, Integer> kinds = new TreeMap<>();
             for (int i = 0; i < description.getElementsByTagName("Float64").getLength(); i++) {
@@ -148,7 +152,8 @@ class FmuFileTest {
         Model chain = named("linear");
         List<Model.Body> bodies = new ArrayList<>(chain.bodies());
         Model.Body head = bodies.remove(2);
-        bodies.add(new Model.Body(head.name(), head.mass(), head.sensor(), List.of(new SensorFault.Delay(-0.01, 0)), head.hidden(), head.forces()));
+        bodies.add(new Model.Body(head.name(), head.mass(), head.sensor(), List.of(new SensorFault.Delay(-0.01, 0)), head.hidden(),
+                head.forces()));
         Model early = new Model(chain.name(), chain.source(), chain.axis(), chain.base(), bodies, chain.links());
         Path file = folder.resolve("early.fmu");
         DataFault fault = assertThrows(DataFault.class, () -> ExportFormat.FMU.write(early, file));

@@ -54,7 +54,8 @@ class PythonTextTest {
             model.assembly().drives().forEach(at -> seen.add(at.drive().getClass()));
             model.assembly().outputs().forEach(output -> output.faults().forEach(fault -> seen.add(fault.getClass())));
         }
-        assertEquals(List.of(), Stream.of(Law.class, Drive.class, SensorFault.class).flatMap(PythonTextTest::records).filter(type -> !seen.contains(type)).toList());
+        assertEquals(List.of(), Stream.of(Law.class, Drive.class, SensorFault.class).flatMap(PythonTextTest::records)
+                .filter(type -> !seen.contains(type)).toList());
     }
 
     private static Stream<Class<?>> records(Class<?> family) {
@@ -74,12 +75,14 @@ class PythonTextTest {
         Cases.run(folder, "python3", "all.py");
         List<String> apart = new ArrayList<>();
         for (int i = 0; i < models.size(); i++) {
-            double[][] expected = new Simulator(Excitation.of(models.get(i), recording, recording.length())).outputs(models.get(i).assembly());
+            double[][] expected = new Simulator(Excitation.of(models.get(i), recording, recording.length()))
+                    .outputs(models.get(i).assembly());
             List<String> lines = Files.readAllLines(folder.resolve(name(i) + ".out"));
             for (int o = 0; o < expected.length; o++) {
                 double difference = lines.get(0).startsWith("Traceback") ? Double.NaN : difference(expected[o], lines.get(o));
                 if (!(difference < TOLERANCE)) {
-                    apart.add(models.get(i).name() + ", output " + o + ": " + (Double.isNaN(difference) ? String.join(" | ", lines) : difference));
+                    apart.add(models.get(i).name() + ", output " + o + ": "
+                            + (Double.isNaN(difference) ? String.join(" | ", lines) : difference));
                 }
             }
         }

@@ -28,7 +28,8 @@ import wbv.recording.DataFault;
 class TextsTest {
 
     private static final Pattern DECLARATION = Pattern.compile("  (parameter |input |output )?Real (\\w+).*;");
-    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin", "cos", "tan", "tanh", "delay", "floor");
+    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin",
+            "cos", "tan", "tanh", "delay", "floor");
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
@@ -39,7 +40,8 @@ class TextsTest {
         "a / b / (c / d) | a / b / (c / d) | a / b / (c / d) | a / b / (c / d)"})
     void arithmeticIsTheSameInEveryLanguage(String text, String python, String c, String modelica) {
         Expression expression = Expression.parse(text);
-        assertEquals(List.of(python, c, modelica), List.of(Language.PYTHON.of(expression), Language.C.of(expression), Language.MODELICA.of(expression)));
+        assertEquals(List.of(python, c, modelica),
+                List.of(Language.PYTHON.of(expression), Language.C.of(expression), Language.MODELICA.of(expression)));
     }
 
     @Test
@@ -77,7 +79,8 @@ class TextsTest {
                 assertEquals(equation.chars().filter(c -> c == '(').count(), equation.chars().filter(c -> c == ')').count(), equation);
                 for (String word : equation.split("[^A-Za-z0-9_.]+")) {
                     if (!word.isEmpty() && !Character.isDigit(word.charAt(0)) && !word.startsWith(".")) {
-                        assertTrue(KNOWN.contains(word) || declared.contains(word), model.name() + ": " + word + " is not declared in " + equation);
+                        assertTrue(KNOWN.contains(word) || declared.contains(word),
+                                model.name() + ": " + word + " is not declared in " + equation);
                     }
                 }
             }
@@ -106,7 +109,8 @@ class TextsTest {
                 assertEquals(structure.from()[l] < 0 ? 1 : 2, tendon.getElementsByTagName("joint").getLength(), model.name());
             }
             long moved = model.bodies().stream().filter(body -> body.sensor().isPresent()).count();
-            assertEquals(moved, List.of("accelerometer", "jointvel", "jointpos").stream().mapToInt(tag -> xml.getElementsByTagName(tag).getLength()).sum());
+            assertEquals(moved, List.of("accelerometer", "jointvel", "jointpos").stream()
+                    .mapToInt(tag -> xml.getElementsByTagName(tag).getLength()).sum());
         }
     }
 

@@ -44,7 +44,7 @@ class SignalBurstTest {
 
     @ParameterizedTest
     @CsvSource({"WK,1,0.02986,0.3231,0.09443,0.09224", "WK,2,0.04116,0.3813,0.13017,0.12535",
-            "WK,4,0.05773,0.4558,0.18256,0.17118",
+        "WK,4,0.05773,0.4558,0.18256,0.17118",
         "WK,8,0.08142,0.5436,0.25748,0.22808", "WK,16,0.11495,0.6476,0.36307,0.28889", "WD,1,0.00669,0.0776,0.02116,0.01975",
         "WD,4,0.01149,0.0921,0.03634,0.03274", "WD,16,0.01972,0.1148,0.06104,0.04804"})
     void burstsReadAsComputed(Weighting weighting, int cycles, double rms, double vdv, double linear, double exponential) {

@@ -47,7 +47,7 @@ class SpinalTest {
 
     @ParameterizedTest
     @CsvSource({"0.5,1.003", "2,1.056", "4,1.417", "4.71,1.586", "6,1.143", "8,0.873", "10,0.822", "20,0.705", "40,0.328",
-            "80,0.0056"})
+        "80,0.0056"})
     void theSpineFollowsTheSeat(double frequency, double modulus) {
         assertEquals(modulus, SpinalDose.spine().modulus(frequency), 6e-4);
         assertEquals(modulus, SpinalDose.filter().modulus(frequency), 6e-4 + 0.001 * modulus);

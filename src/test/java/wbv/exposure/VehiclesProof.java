@@ -51,7 +51,7 @@ final class VehiclesProof {
             new Row("aircraft landing, front and rear", 0.01667, 0.6, 0.9, 5.2, false, 0.041),
             new Row("truck", 1, 1.418, 1.418, 15.377, true, 0.501));
 
-    private VehiclesProof() { }
+    private VehiclesProof() {}
 
     public static void main(String[] args) {
         System.out.println("| vehicle | T [h] | a_w [m/s²] | VDV printed | 1.4 a_w T^¼ is | A(8) printed | a_w (T/8)^½ is |");
@@ -68,6 +68,7 @@ final class VehiclesProof {
     }
 
     private static String text(double value) {
-        return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, "%.4g", value).replaceAll("(\\.\\d*?)0+$", "$1").replaceAll("\\.$", "");
+        return Double.isNaN(value) ? "–"
+                : String.format(Locale.ROOT, "%.4g", value).replaceAll("(\\.\\d*?)0+$", "$1").replaceAll("\\.$", "");
     }
 }

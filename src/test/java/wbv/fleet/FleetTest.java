@@ -52,7 +52,7 @@ class FleetTest {
     }
 
     private FleetRun.Outcome run(String folder, Replay replay, SeatPlan plan, int threads) throws IOException {
-        return new FleetRun(replay, plan, temporary.resolve(folder), threads, 1e9).run(share -> { });
+        return new FleetRun(replay, plan, temporary.resolve(folder), threads, 1e9).run(share -> {});
     }
 
     private byte[] results(String folder) throws IOException {
@@ -72,9 +72,9 @@ class FleetTest {
             for (int k = 0; k < SEATS; k++) {
                 Seat alone = new Seat(replay.name(k), plan);
                 for (int round = 0; round < replay.rounds(); round++) {
-                    replay.packets(k, round, packet -> alone.accept(packet, each -> { }));
+                    replay.packets(k, round, packet -> alone.accept(packet, each -> {}));
                 }
-                alone.flush(each -> { });
+                alone.flush(each -> {});
                 assertEquals(alone.now(), outcome.seats().get(k));
             }
             assertEquals(1 + 40L * SEATS, Files.lines(temporary.resolve("one" + disturbed).resolve("results.csv")).count(), 2.0 * SEATS);
@@ -97,19 +97,19 @@ class FleetTest {
             for (int round = 0; round < disturbed.rounds(); round++) {
                 disturbed.packets(k, round, packet -> {
                     came.add(packet);
-                    seat.accept(packet, each -> { });
+                    seat.accept(packet, each -> {});
                 });
             }
-            seat.flush(each -> { });
+            seat.flush(each -> {});
             Seat inOrder = new Seat(disturbed.name(k), plan);
             for (int round = 0; round < undisturbed.rounds(); round++) {
                 undisturbed.packets(k, round, packet -> {
                     if (came.contains(packet)) {
-                        inOrder.accept(packet, each -> { });
+                        inOrder.accept(packet, each -> {});
                     }
                 });
             }
-            inOrder.flush(each -> { });
+            inOrder.flush(each -> {});
             assertEquals(inOrder.now().bodies(), seat.now().bodies());
             assertEquals(inOrder.now().exposure(), seat.now().exposure());
             SeatResult.Losses losses = seat.losses();
@@ -130,7 +130,7 @@ class FleetTest {
 
     private FleetRun.Outcome filed(String folder, Recording recording, List<Path> files, int threads) throws IOException {
         FleetOrder order = new FleetOrder(follow(recording), new FleetSource.Packets(files), 10);
-        return new FleetRun(order, plan(recording), temporary.resolve(folder), threads, 1e9).run(share -> { });
+        return new FleetRun(order, plan(recording), temporary.resolve(folder), threads, 1e9).run(share -> {});
     }
 
     /** Packets of a bad network, in files, cut anywhere between two: what is known of the seats is what the replay itself gives. */
@@ -264,7 +264,8 @@ class FleetTest {
         Recording recording = recording(20);
         SeatPlan plan = plan(recording);
         Path folder = Files.createDirectories(temporary.resolve("other"));
-        new Checkpoint("another run", new Feed.Place(5, 3, 0, 0), false, 100, 100, 100, 5).write(folder, List.of(new Seat("seat-00000", plan)));
+        new Checkpoint("another run", new Feed.Place(5, 3, 0, 0), false, 100, 100, 100, 5).write(folder,
+                List.of(new Seat("seat-00000", plan)));
         DataFault fault = assertThrows(DataFault.class, () -> run("other", replay(recording, false), plan, 1));
         assertTrue(fault.getMessage().contains("another run stopped"), fault.getMessage());
         byte[] state = Files.readAllBytes(Checkpoint.file(folder));

@@ -55,24 +55,32 @@ class BadUnitTest {
     void whatIsNoUnit() throws IOException {
         refuses("not a whole zip archive", Files.writeString(folder.resolve("text.fmu"), "t,platform.acc.z\n0,1\n"), Map.of());
         refuses("has no modelDescription.xml", BuiltUnit.zipped(folder.resolve("empty.fmu"), Map.of("readme.txt", new byte[3])), Map.of());
-        refuses("lie outside of it: ../../evil", BuiltUnit.zipped(folder.resolve("evil.fmu"), Map.of("modelDescription.xml", new byte[0], "../../evil", new byte[3])),
+        refuses("lie outside of it: ../../evil",
+                BuiltUnit.zipped(folder.resolve("evil.fmu"), Map.of("modelDescription.xml", new byte[0], "../../evil", new byte[3])),
                 Map.of());
         byte[] whole = Files.readAllBytes(described(car()));
-        refuses("not a whole zip archive", Files.write(folder.resolve("half.fmu"), java.util.Arrays.copyOf(whole, whole.length / 2)), Map.of());
+        refuses("not a whole zip archive", Files.write(folder.resolve("half.fmu"), java.util.Arrays.copyOf(whole, whole.length / 2)),
+                Map.of());
     }
 
     @Test
     void whatIsDescribedWrongly() throws IOException {
-        refuses("is of FMI 1.0; export it as FMI 2.0 or 3.0", described(car().replace("fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"")), Map.of());
+        refuses("is of FMI 1.0; export it as FMI 2.0 or 3.0", described(car().replace("fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"")),
+                Map.of());
         refuses("begins with <html>", described("<html/>"), Map.of());
         refuses("its modelDescription.xml cannot be read: line ", described(car().substring(0, 600)), Map.of());
         refuses("can neither be simulated nor gives derivatives", described(car().replaceFirst("<CoSimulation[^>]*>", "")), Map.of());
         refuses("no name of a file: '../../bin/unit'", described(car().replace("\"unit\"", "\"../../bin/unit\"")), Map.of());
-        refuses("none of its outputs [a, b, c] is named as a channel", described(BuiltUnit.description(BuiltUnit.QUARTER_CAR.outputs(BuiltUnit.ordered("a", "", "b", "", "c", "")),
-                2, BuiltUnit.STEPS)), Map.of());
+        refuses("none of its outputs [a, b, c] is named as a channel",
+                described(BuiltUnit.description(BuiltUnit.QUARTER_CAR.outputs(BuiltUnit.ordered("a", "", "b", "", "c", "")),
+                        2, BuiltUnit.STEPS)),
+                Map.of());
         refuses("none of its inputs [road, f1, f2] is named as a channel that was recorded, [platform.acc.z]",
-                described(BuiltUnit.description(BuiltUnit.QUARTER_CAR.inputs(BuiltUnit.ordered("road", "", "f1", "", "f2", "")), 2, BuiltUnit.STEPS)), Map.of());
-        refuses("platform.acc.z is declared in m/s, and platform.acc.z is in m/s²", described(car().replace("start=\"0\" unit=\"m/s2\"", "start=\"0\" unit=\"m/s\"")), Map.of());
+                described(BuiltUnit.description(BuiltUnit.QUARTER_CAR.inputs(BuiltUnit.ordered("road", "", "f1", "", "f2", "")), 2,
+                        BuiltUnit.STEPS)),
+                Map.of());
+        refuses("platform.acc.z is declared in m/s, and platform.acc.z is in m/s²",
+                described(car().replace("start=\"0\" unit=\"m/s2\"", "start=\"0\" unit=\"m/s\"")), Map.of());
         refuses("valueReference that is a number", described(car().replace("valueReference=\"101\"", "valueReference=\"x\"")), Map.of());
         refuses("it has no input rod; there are [platform.acc.z, force.suspension, force.seat]", described(car()), Map.of("rod", BASE));
         refuses("two of its outputs are body.acc.z", described(car().replace("axle.acc.z", "body_acc_z")), Map.of());
@@ -90,10 +98,12 @@ class BadUnitTest {
     @Test
     void whatHasNoBinaryForThisComputer() throws IOException {
         refuses("it was built for none: export it with its binary", described(car()), Map.of());
-        Path other = BuiltUnit.zipped(folder.resolve("other.fmu"), Map.of("modelDescription.xml", car().getBytes(StandardCharsets.UTF_8), "binaries/vax64/unit.so", new byte[8]));
+        Path other = BuiltUnit.zipped(folder.resolve("other.fmu"),
+                Map.of("modelDescription.xml", car().getBytes(StandardCharsets.UTF_8), "binaries/vax64/unit.so", new byte[8]));
         refuses("it was built for vax64", other, Map.of());
-        Path damaged = BuiltUnit.zipped(folder.resolve("damaged.fmu"), Map.of("modelDescription.xml", car().getBytes(StandardCharsets.UTF_8),
-                "binaries/" + Binary.places(2, "unit").get(0), new byte[64]));
+        Path damaged = BuiltUnit.zipped(folder.resolve("damaged.fmu"),
+                Map.of("modelDescription.xml", car().getBytes(StandardCharsets.UTF_8),
+                        "binaries/" + Binary.places(2, "unit").get(0), new byte[64]));
         refuses("cannot be loaded", damaged, Map.of());
     }
 
@@ -104,7 +114,8 @@ class BadUnitTest {
                 BuiltUnit.build(folder, "step.fmu", BuiltUnit.QUARTER_CAR, version, BuiltUnit.STEPS, "BROKEN_AT=2.0"), Map.of());
         refuses("its initialisation failed; it says: no consistent start values",
                 BuiltUnit.build(folder, "start.fmu", BuiltUnit.QUARTER_CAR, version, BuiltUnit.STEPS, "NO_START"), Map.of());
-        refuses("its instantiation failed; it says: wrong", BuiltUnit.build(folder, "token.fmu", BuiltUnit.QUARTER_CAR, version, BuiltUnit.STEPS, "TOKEN=\"other\""), Map.of());
+        refuses("its instantiation failed; it says: wrong",
+                BuiltUnit.build(folder, "token.fmu", BuiltUnit.QUARTER_CAR, version, BuiltUnit.STEPS, "TOKEN=\"other\""), Map.of());
     }
 
     /** A stiffness of the wrong sign. */
@@ -116,7 +127,8 @@ class BadUnitTest {
         Path file = BuiltUnit.build(folder, "unstable.fmu", BuiltUnit.QUARTER_CAR, 2, BuiltUnit.DERIVATIVES);
         try (FmuSimulation simulation = FmuSimulation.open(file, recording, Map.of(), Map.of())) {
             DataFault fault = assertThrows(DataFault.class, () -> simulation.run(Map.of("tyre.k", -1e8)));
-            assertTrue(fault.getMessage().matches(".*unstable.fmu: its outputs leave all bounds [0-9.]+ s after its start"), fault.getMessage());
+            assertTrue(fault.getMessage().matches(".*unstable.fmu: its outputs leave all bounds [0-9.]+ s after its start"),
+                    fault.getMessage());
             assertThrows(DataFault.class, () -> simulation.run(Map.of("tyre", 1.0)));
         }
     }

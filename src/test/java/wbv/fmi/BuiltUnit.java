@@ -26,7 +26,8 @@ public final class BuiltUnit {
      * @param inputs and outputs with their units @param parameters by name: start value and unit, in the order of the source
      * @param states number of them @param indicators number of event indicators
      */
-    public record Plan(String source, Map<String, String> inputs, Map<String, String> outputs, List<Parameter> parameters, int states, int indicators) {
+    public record Plan(String source, Map<String, String> inputs, Map<String, String> outputs, List<Parameter> parameters, int states,
+            int indicators) {
 
         public Plan {
             inputs = new java.util.LinkedHashMap<>(inputs);
@@ -49,23 +50,30 @@ public final class BuiltUnit {
         }
     }
 
-    public record Parameter(String name, double start, String unit) { }
+    public record Parameter(String name, double start, String unit) {}
 
-    public static final Plan QUARTER_CAR = new Plan("quarter_car.c", ordered("platform.acc.z", "m/s2", "force.suspension", "N", "force.seat", "N"),
+    public static final Plan QUARTER_CAR = new Plan("quarter_car.c",
+            ordered("platform.acc.z", "m/s2", "force.suspension", "N", "force.seat", "N"),
             ordered("axle.acc.z", "m/s2", "body.acc.z", "m/s2", "seat.acc.z", "m/s2"),
             List.of(new Parameter("axle.m", 40, "kg"), new Parameter("tyre.k", 160000, "N/m"), new Parameter("tyre.c", 300, "N.s/m"),
-                    new Parameter("body.m", 250, "kg"), new Parameter("suspension.k", 22000, "N/m"), new Parameter("suspension.c", 1500, "N.s/m"),
-                    new Parameter("person.m", 60, "kg"), new Parameter("seat.k", 15000, "N/m"), new Parameter("seat.c", 700, "N.s/m")), 6, 0);
+                    new Parameter("body.m", 250, "kg"), new Parameter("suspension.k", 22000, "N/m"),
+                    new Parameter("suspension.c", 1500, "N.s/m"),
+                    new Parameter("person.m", 60, "kg"), new Parameter("seat.k", 15000, "N/m"), new Parameter("seat.c", 700, "N.s/m")),
+            6, 0);
 
-    public static final Plan PLANAR_PERSON = new Plan("planar_person.c", ordered("platform_acc_x", "m/s2", "platform_acc_z", "m/s2", "platform_gyr_y", "rad/s"),
-            ordered("sternum_acc_x", "m/s2", "sternum_acc_z", "m/s2", "sternum_gyr_y", "rad/s", "head_acc_x", "m/s2", "head_acc_z", "m/s2", "head_gyr_y", "rad/s"),
-            List.of(new Parameter("cushion_k", 60000, "N/m"), new Parameter("cushion_c", 900, "N.s/m"), new Parameter("backrest_k", 15000, "N/m"),
-                    new Parameter("backrest_c", 400, "N.s/m"), new Parameter("neck_k", 90, ""), new Parameter("neck_c", 3.5, "")), 13, 0);
+    public static final Plan PLANAR_PERSON = new Plan("planar_person.c",
+            ordered("platform_acc_x", "m/s2", "platform_acc_z", "m/s2", "platform_gyr_y", "rad/s"),
+            ordered("sternum_acc_x", "m/s2", "sternum_acc_z", "m/s2", "sternum_gyr_y", "rad/s", "head_acc_x", "m/s2", "head_acc_z", "m/s2",
+                    "head_gyr_y", "rad/s"),
+            List.of(new Parameter("cushion_k", 60000, "N/m"), new Parameter("cushion_c", 900, "N.s/m"),
+                    new Parameter("backrest_k", 15000, "N/m"),
+                    new Parameter("backrest_c", 400, "N.s/m"), new Parameter("neck_k", 90, ""), new Parameter("neck_c", 3.5, "")),
+            13, 0);
 
     public static final Plan BALL = new Plan("bouncing_ball.c", ordered("platform.acc.z", "m/s2"),
             ordered("ball.pos.z", "m", "ball.vel.z", "m/s"), List.of(new Parameter("g", 9.81, "m/s2")), 2, 1);
 
-    private BuiltUnit() { }
+    private BuiltUnit() {}
 
     /** Names with units, in their order. */
     public static Map<String, String> ordered(String... namesAndUnits) {
@@ -80,7 +88,8 @@ public final class BuiltUnit {
     public static void needsCompiler() {
         boolean found;
         try {
-            found = new ProcessBuilder("cc", "--version").redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start().waitFor() == 0;
+            found = new ProcessBuilder("cc", "--version").redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+                    .waitFor() == 0;
         } catch (IOException | InterruptedException none) {
             found = false;
         }
@@ -113,14 +122,16 @@ public final class BuiltUnit {
         } catch (InterruptedException stopped) {
             throw new IOException(stopped);
         }
-        return zipped(folder.resolve(file), Map.of("modelDescription.xml", description(plan, version, ways).getBytes(StandardCharsets.UTF_8),
-                "binaries/" + Binary.places(version, "unit").get(0), Files.readAllBytes(library)));
+        return zipped(folder.resolve(file),
+                Map.of("modelDescription.xml", description(plan, version, ways).getBytes(StandardCharsets.UTF_8),
+                        "binaries/" + Binary.places(version, "unit").get(0), Files.readAllBytes(library)));
     }
 
     /** Units that this process has unpacked and not removed. */
     static long unpacked() throws IOException {
         try (Stream<Path> all = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
-            return all.filter(each -> each.getFileName().toString().startsWith(UnpackedFmu.PREFIX + ProcessHandle.current().pid() + "-")).count();
+            return all.filter(each -> each.getFileName().toString().startsWith(UnpackedFmu.PREFIX + ProcessHandle.current().pid() + "-"))
+                    .count();
         }
     }
 
@@ -137,16 +148,20 @@ public final class BuiltUnit {
     /** For co-simulation with steps of any length. */
     public static final List<String> STEPS = List.of("<CoSimulation canHandleVariableCommunicationStepSize=\"true\"/>");
     /** For co-simulation, with slopes of its inputs (FMI 2.0). */
-    public static final List<String> SLOPES = List.of("<CoSimulation canHandleVariableCommunicationStepSize=\"true\" canInterpolateInputs=\"true\"/>");
+    public static final List<
+            String> SLOPES = List.of("<CoSimulation canHandleVariableCommunicationStepSize=\"true\" canInterpolateInputs=\"true\"/>");
     public static final List<String> DERIVATIVES = List.of("<ModelExchange/>");
 
     static String description(Plan plan, int version, List<String> ways) {
-        StringBuilder xml = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"").append(version)
-                .append(".0\" modelName=\"").append(plan.source().replace(".c", "")).append(version == 2 ? "\" guid=\"{wbv-test}\" numberOfEventIndicators=\""
-                        + plan.indicators() + "\">\n" : "\" instantiationToken=\"{wbv-test}\">\n");
+        StringBuilder xml = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription fmiVersion=\"")
+                .append(version)
+                .append(".0\" modelName=\"").append(plan.source().replace(".c", "")).append(version
+                        == 2 ? "\" guid=\"{wbv-test}\" numberOfEventIndicators=\""
+                                + plan.indicators() + "\">\n" : "\" instantiationToken=\"{wbv-test}\">\n");
         ways.forEach(way -> xml.append(way.replaceFirst("(CoSimulation|ModelExchange)", "$1 modelIdentifier=\"unit\"")).append('\n'));
         xml.append("<UnitDefinitions>");
-        Map.of("m/s2", "m=\"1\" s=\"-2\"", "mm/s2", "m=\"1\" s=\"-2\" factor=\"0.001\"", "N", "kg=\"1\" m=\"1\" s=\"-2\"", "m", "m=\"1\"", "m/s", "m=\"1\" s=\"-1\"",
+        Map.of("m/s2", "m=\"1\" s=\"-2\"", "mm/s2", "m=\"1\" s=\"-2\" factor=\"0.001\"", "N", "kg=\"1\" m=\"1\" s=\"-2\"", "m", "m=\"1\"",
+                "m/s", "m=\"1\" s=\"-1\"",
                 "rad/s", "rad=\"1\" s=\"-1\"", "kg", "kg=\"1\"", "N/m", "kg=\"1\" s=\"-2\"", "N.s/m", "kg=\"1\" s=\"-1\"")
                 .forEach((name, base) -> xml.append("<Unit name=\"").append(name).append("\"><BaseUnit ").append(base).append("/></Unit>"));
         xml.append("</UnitDefinitions>\n<LogCategories><Category name=\"logStatusError\"/></LogCategories>\n<ModelVariables>\n");
@@ -156,19 +171,22 @@ public final class BuiltUnit {
         int place = 0;
         int index = 0;
         for (Map.Entry<String, String> input : plan.inputs().entrySet()) {
-            xml.append(variable(version, input.getKey(), place++, "causality=\"input\" variability=\"continuous\"", " start=\"0\"", input.getValue()));
+            xml.append(variable(version, input.getKey(), place++, "causality=\"input\" variability=\"continuous\"", " start=\"0\"",
+                    input.getValue()));
             index++;
         }
         StringBuilder outputs = new StringBuilder();
         place = 100;
         for (Map.Entry<String, String> output : plan.outputs().entrySet()) {
             outputs.append(version == 2 ? "<Unknown index=\"" + ++index + "\"/>" : "<Output valueReference=\"" + place + "\"/>");
-            xml.append(variable(version, output.getKey(), place++, "causality=\"output\" variability=\"continuous\"", "", output.getValue()));
+            xml.append(
+                    variable(version, output.getKey(), place++, "causality=\"output\" variability=\"continuous\"", "", output.getValue()));
         }
         place = 200;
         for (Parameter each : plan.parameters()) {
             index++;
-            xml.append(variable(version, each.name(), place++, "causality=\"parameter\" variability=\"tunable\"", " start=\"" + each.start() + "\"", each.unit()));
+            xml.append(variable(version, each.name(), place++, "causality=\"parameter\" variability=\"tunable\"",
+                    " start=\"" + each.start() + "\"", each.unit()));
         }
         StringBuilder derivatives = new StringBuilder();
         StringBuilder states = new StringBuilder();
@@ -177,21 +195,26 @@ public final class BuiltUnit {
             xml.append(variable(version, "state" + s, 300 + s, "causality=\"local\" variability=\"continuous\"", "", ""));
             xml.append(variable(version, "der(state" + s + ")", 400 + s, "causality=\"local\" variability=\"continuous\"",
                     " derivative=\"" + (version == 2 ? index - 1 : 300 + s) + "\"", ""));
-            states.append(version == 2 ? "<Unknown index=\"" + (index - 1) + "\"/>" : "<InitialUnknown valueReference=\"" + (300 + s) + "\"/>");
-            derivatives.append(version == 2 ? "<Unknown index=\"" + index + "\"/>" : "<ContinuousStateDerivative valueReference=\"" + (400 + s) + "\"/>");
+            states.append(
+                    version == 2 ? "<Unknown index=\"" + (index - 1) + "\"/>" : "<InitialUnknown valueReference=\"" + (300 + s) + "\"/>");
+            derivatives.append(version == 2 ? "<Unknown index=\"" + index + "\"/>"
+                    : "<ContinuousStateDerivative valueReference=\"" + (400 + s) + "\"/>");
         }
         xml.append("</ModelVariables>\n<ModelStructure>");
-        String unknowns = version == 2 ? "<Outputs>" + outputs + "</Outputs>" + (plan.states() > 0 ? "<Derivatives>" + derivatives + "</Derivatives>" : "")
-                + "<InitialUnknowns>" + outputs + states + derivatives + "</InitialUnknowns>"
-                : outputs.toString() + derivatives + outputs.toString().replace("<Output ", "<InitialUnknown ") + states
-                        + derivatives.toString().replace("ContinuousStateDerivative", "InitialUnknown");
+        String unknowns = version
+                == 2 ? "<Outputs>" + outputs + "</Outputs>" + (plan.states() > 0 ? "<Derivatives>" + derivatives + "</Derivatives>" : "")
+                        + "<InitialUnknowns>" + outputs + states + derivatives + "</InitialUnknowns>"
+                        : outputs.toString() + derivatives + outputs.toString().replace("<Output ", "<InitialUnknown ") + states
+                                + derivatives.toString().replace("ContinuousStateDerivative", "InitialUnknown");
         return xml.append(unknowns).append("</ModelStructure>\n</fmiModelDescription>\n").toString();
     }
 
     private static String variable(int version, String name, int reference, String role, String value, String unit) {
         String declared = unit.isEmpty() ? "" : " unit=\"" + unit + "\"";
         String common = " name=\"" + name + "\" valueReference=\"" + reference + "\" " + role;
-        return version == 2 ? "<ScalarVariable" + common + (role.contains("parameter") ? " initial=\"exact\"" : "") + "><Real" + value + declared + "/></ScalarVariable>\n"
+        return version == 2
+                ? "<ScalarVariable" + common + (role.contains("parameter") ? " initial=\"exact\"" : "") + "><Real" + value + declared
+                        + "/></ScalarVariable>\n"
                 : "<Float64" + common + (role.contains("parameter") ? " initial=\"exact\"" : "") + value + declared + "/>\n";
     }
 }

@@ -48,7 +48,8 @@ class FmuSimulationTest {
     }
 
     static Stream<Arguments> ways() {
-        return Stream.of(Arguments.of(2, "steps", BuiltUnit.STEPS), Arguments.of(2, "slopes", BuiltUnit.SLOPES), Arguments.of(2, "derivatives", BuiltUnit.DERIVATIVES),
+        return Stream.of(Arguments.of(2, "steps", BuiltUnit.STEPS), Arguments.of(2, "slopes", BuiltUnit.SLOPES),
+                Arguments.of(2, "derivatives", BuiltUnit.DERIVATIVES),
                 Arguments.of(3, "steps", BuiltUnit.STEPS), Arguments.of(3, "derivatives", BuiltUnit.DERIVATIVES));
     }
 
@@ -76,7 +77,8 @@ class FmuSimulationTest {
         List<Model.Body> bodies = new ArrayList<>();
         List<Model.Link> links = new ArrayList<>();
         for (int b = 0; b < 3; b++) {
-            bodies.add(new Model.Body(names[b + 1], p[3 * b], Optional.of(Channel.parse(names[b + 1] + ".acc.z")), List.of(), Optional.empty(), List.of()));
+            bodies.add(new Model.Body(names[b + 1], p[3 * b], Optional.of(Channel.parse(names[b + 1] + ".acc.z")), List.of(),
+                    Optional.empty(), List.of()));
             links.add(new Model.Link(names[b], names[b + 1], p[3 * b + 1], p[3 * b + 2], Optional.empty(), List.of(), List.of()));
         }
         return new Model("quarter car", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies, links);
@@ -97,7 +99,8 @@ class FmuSimulationTest {
                 assertEquals(0, error(expected[o], found.values(simulation.outputs().get(o)), 0), 1e-4, simulation.notes().toString());
             }
             assertEquals(List.of("force.suspension", "force.seat"), simulation.places());
-            assertTrue(simulation.notes().toString().contains("no channel for the input force.suspension, held at 0.0 N; a place where a force may act"));
+            assertTrue(simulation.notes().toString()
+                    .contains("no channel for the input force.suspension, held at 0.0 N; a place where a force may act"));
         }
     }
 
@@ -121,7 +124,8 @@ class FmuSimulationTest {
         Channel[] inputs = {Channel.parse("platform.acc.x"), BASE, Channel.parse("platform.gyr.y")};
         double[][] tones = {{1, 2.5, 6}, {1.5, 4, 9}, {0.5, 3, 5}};
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        Channel[] outputs = Stream.of("sternum.acc.x", "sternum.acc.z", "sternum.gyr.y", "head.acc.x", "head.acc.z", "head.gyr.y").map(Channel::parse).toArray(Channel[]::new);
+        Channel[] outputs = Stream.of("sternum.acc.x", "sternum.acc.z", "sternum.gyr.y", "head.acc.x", "head.acc.z", "head.gyr.y")
+                .map(Channel::parse).toArray(Channel[]::new);
         double[][] expected = new double[6][n];
         for (int i = 0; i < 3; i++) {
             double[] own = new double[n];
@@ -132,7 +136,8 @@ class FmuSimulationTest {
                     double angle = 2 * Math.PI * f * t / RATE;
                     own[t] += (i == 2 ? 0.1 : 1) * Math.sin(angle);
                     for (int o = 0; o < 6; o++) {
-                        expected[o][t] += (i == 2 ? 0.1 : 1) * answer[o].multiply(new Complex(Math.cos(angle), Math.sin(angle))).getImaginary();
+                        expected[o][t] += (i == 2 ? 0.1 : 1)
+                                * answer[o].multiply(new Complex(Math.cos(angle), Math.sin(angle))).getImaginary();
                     }
                 }
             }
@@ -209,7 +214,8 @@ class FmuSimulationTest {
             for (int i = 0; i < 115; i++) {
                 double t = i / RATE;
                 double expected = t < first ? 1 - g / 2 * t * t : t < second ? up * (t - first) - g / 2 * Math.pow(t - first, 2)
-                        : t < 1.25 ? 0.8 * up * (t - second) - g / 2 * Math.pow(t - second, 2) : kicked + 3 * (t - 1.25) - g / 2 * Math.pow(t - 1.25, 2);
+                        : t < 1.25 ? 0.8 * up * (t - second) - g / 2 * Math.pow(t - second, 2)
+                                : kicked + 3 * (t - 1.25) - g / 2 * Math.pow(t - 1.25, 2);
                 assertEquals(expected, found[i], 1e-7, "at " + t + " s");
             }
         }
@@ -220,7 +226,8 @@ class FmuSimulationTest {
     void aUnitWithAStepOfItsOwnIsRunByThat() throws IOException {
         double[] base = noise(1800, RATE, 1, 2);
         Recording recording = new Recording(new Clock(0, RATE), Map.of(BASE, base), Metadata.NONE);
-        Path own = BuiltUnit.build(folder, "own.fmu", BuiltUnit.QUARTER_CAR, 3, List.of("<CoSimulation fixedInternalStepSize=\"0.0007\"/>"));
+        Path own = BuiltUnit.build(folder, "own.fmu", BuiltUnit.QUARTER_CAR, 3,
+                List.of("<CoSimulation fixedInternalStepSize=\"0.0007\"/>"));
         Path any = BuiltUnit.build(folder, "any.fmu", BuiltUnit.QUARTER_CAR, 3, BuiltUnit.STEPS);
         try (FmuSimulation stepped = FmuSimulation.open(own, recording, Map.of(), Map.of());
                 FmuSimulation free = FmuSimulation.open(any, recording, Map.of(), Map.of())) {
@@ -236,8 +243,9 @@ class FmuSimulationTest {
     void namesAndUnitsAreTranslated() throws IOException {
         Recording recording = new Recording(new Clock(0, RATE), Map.of(BASE, noise(600, RATE, 1, 3)), Metadata.NONE);
         BuiltUnit.Plan plain = BuiltUnit.QUARTER_CAR;
-        BuiltUnit.Plan odd = plain.inputs(BuiltUnit.ordered("road", "m/s2", "f1", "", "f2", "")).outputs(BuiltUnit.ordered("axle", "m/s2", "car.body_acc_z", "m/s2",
-                "y", "m/s2"));
+        BuiltUnit.Plan odd = plain.inputs(BuiltUnit.ordered("road", "m/s2", "f1", "", "f2", ""))
+                .outputs(BuiltUnit.ordered("axle", "m/s2", "car.body_acc_z", "m/s2",
+                        "y", "m/s2"));
         Path file = BuiltUnit.build(folder, "plain.fmu", plain, 2, BuiltUnit.DERIVATIVES);
         Path other = BuiltUnit.build(folder, "odd.fmu", odd, 2, BuiltUnit.DERIVATIVES);
         BuiltUnit.Plan small = plain.outputs(BuiltUnit.ordered("axle.acc.z", "mm/s2", "body.acc.z", "m/s2", "seat.acc.z", "m/s2"));
@@ -248,7 +256,8 @@ class FmuSimulationTest {
                 FmuSimulation b = FmuSimulation.open(other, recording, Map.of("road", BASE), Map.of("y", seat));
                 FmuSimulation c = FmuSimulation.open(third, recording, Map.of(), Map.of())) {
             assertEquals(List.of(Channel.parse("body.acc.z"), seat), b.outputs());
-            assertTrue(b.notes().toString().contains("left out: [axle]") && b.notes().toString().contains("road = platform.acc.z"), b.notes().toString());
+            assertTrue(b.notes().toString().contains("left out: [axle]") && b.notes().toString().contains("road = platform.acc.z"),
+                    b.notes().toString());
             Recording first = a.run(Map.of());
             assertEquals(0, error(first.values(seat), b.run(Map.of()).values(seat), 0), 1e-5);
             assertEquals(first.values(axle)[300] / 1000, c.run(Map.of()).values(axle)[300], 1e-9);
@@ -267,7 +276,8 @@ class FmuSimulationTest {
         Simulator.Response response = new Simulator(excitation).run(quarterCar().assembly(), true);
         Path file = BuiltUnit.build(folder, "car.fmu", BuiltUnit.QUARTER_CAR, 3, BuiltUnit.DERIVATIVES);
         try (FmuSimulation simulation = FmuSimulation.open(file, recording, Map.of(), Map.of())) {
-            double[][][] found = simulation.sensitivities(Map.of(), List.of("tyre.k", "suspension.k", "seat.k", "tyre.c", "suspension.c", "seat.c"), 1200);
+            double[][][] found = simulation.sensitivities(Map.of(),
+                    List.of("tyre.k", "suspension.k", "seat.k", "tyre.c", "suspension.c", "seat.c"), 1200);
             for (int p = 0; p < 6; p++) {
                 for (int o = 0; o < 3; o++) {
                     double[] expected = excitation.series(response.slopes()[p][o]);
@@ -306,7 +316,8 @@ class FmuSimulationTest {
             for (int o = 0; o < 3; o++) {
                 Complex answer = q[o].multiply(-w * w);
                 double[] expected = new double[n - 60];
-                java.util.Arrays.setAll(expected, i -> answer.multiply(new Complex(Math.cos(w * i / RATE), Math.sin(w * i / RATE))).getImaginary());
+                java.util.Arrays.setAll(expected,
+                        i -> answer.multiply(new Complex(Math.cos(w * i / RATE), Math.sin(w * i / RATE))).getImaginary());
                 assertEquals(0, error(expected, moved[o], 600), 2e-4, "output " + o);
             }
         }

@@ -14,7 +14,7 @@ public final class IdentifyProof {
     private static final int SAMPLES = 3600;
     private static final Orders ORDERS = new Orders(2, 3, 2, 0);
 
-    private IdentifyProof() { }
+    private IdentifyProof() {}
 
     public static void main(String[] arguments) {
         System.out.println("| method | data | SNR [dB] | frequency, mean ± deviation [Hz] | damping ratio, mean ± deviation | no mode |");

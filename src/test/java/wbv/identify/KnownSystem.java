@@ -12,7 +12,7 @@ final class KnownSystem {
     static final double[] B = {0.02, 0.15, 0.04};
     static final double[] C = {-0.8, 0.3};
 
-    private KnownSystem() { }
+    private KnownSystem() {}
 
     /** Noise through a filter (1 + 0.5 q⁻¹)/(1 - 0.7 q⁻¹). */
     static double[] input(int length, RandomGenerator random) {

@@ -73,7 +73,8 @@ class ModeDeviationsTest {
     void instrumentsScatterAsTheySay() {
         double f = 0;
         double z = 0;
-        LongFunction<List<EquivalentBody.Mode>> fit = seed -> new RefinedInstruments(2, 1, 30).fit(KnownSystem.body(5, 0.35, 15, 1800, seed)).modes();
+        LongFunction<List<
+                EquivalentBody.Mode>> fit = seed -> new RefinedInstruments(2, 1, 30).fit(KnownSystem.body(5, 0.35, 15, 1800, seed)).modes();
         for (long seed = 0; seed < SEEDS; seed++) {
             f += fit.apply(1000 + seed).get(0).frequency() / SEEDS;
             z += fit.apply(1000 + seed).get(0).damping() / SEEDS;

@@ -15,7 +15,7 @@ class RecursiveArmaxTest {
 
     @ParameterizedTest
     @CsvSource({"EXTENDED_LEAST_SQUARES,20,0.03", "EXTENDED_LEAST_SQUARES,10,0.08", "MAXIMUM_LIKELIHOOD,20,0.03",
-            "MAXIMUM_LIKELIHOOD,10,0.08"})
+        "MAXIMUM_LIKELIHOOD,10,0.08"})
     void findsTheBodyInNoise(RecursiveArmax.Kind kind, double decibel, double tolerance) {
         int seeds = 8;
         double frequency = 0;

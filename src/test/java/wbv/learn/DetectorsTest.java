@@ -31,7 +31,7 @@ class DetectorsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"ADWINChangeDetector", "ADWINChangeDetector -a 0.1", "PageHinkleyDM", 
+    @ValueSource(strings = {"ADWINChangeDetector", "ADWINChangeDetector -a 0.1", "PageHinkleyDM",
         "moa.classifiers.core.driftdetection.CusumDM"})
     void detectorsOfMoaHearARise(String commandLine) {
         assertTrue(delay(Detectors.named(commandLine).get()) < 500);

@@ -16,7 +16,8 @@ class RecursiveArmaxLearnerTest {
 
     @Test
     void theBodyIsFoundAndPredictingChangesNothing() throws Exception {
-        RecursiveArmaxLearner learner = (RecursiveArmaxLearner) ClassOption.cliStringToObject("wbv.learn.RecursiveArmaxLearner", Regressor.class, null);
+        RecursiveArmaxLearner learner = (RecursiveArmaxLearner) ClassOption.cliStringToObject("wbv.learn.RecursiveArmaxLearner",
+                Regressor.class, null);
         learner.prepareForUse();
         learner.resetLearning();
         InstanceStream stream = (InstanceStream) ClassOption.cliStringToObject(

@@ -51,7 +51,8 @@ class BrowserTest {
 
         Browser(String program, Path folder) throws Exception {
             process = new ProcessBuilder(program, "--headless=new", "--no-sandbox", "--disable-gpu", "--remote-debugging-port=0",
-                    "--user-data-dir=" + folder, "about:blank").redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile()).start();
+                    "--user-data-dir=" + folder, "about:blank").redirectErrorStream(true).redirectOutput(folder.resolve("log").toFile())
+                    .start();
             Path port = folder.resolve("DevToolsActivePort");
             for (int i = 0; i < 600 && !(Files.exists(port) && Files.readAllLines(port).size() > 1); i++) {
                 Thread.sleep(50);
@@ -85,7 +86,8 @@ class BrowserTest {
         }
 
         JsonNode ask(String method, String parameters) throws Exception {
-            socket.sendText("{\"id\":" + ++asked + ",\"method\":\"" + method + "\",\"params\":" + parameters + "}", true).get(30, TimeUnit.SECONDS);
+            socket.sendText("{\"id\":" + ++asked + ",\"method\":\"" + method + "\",\"params\":" + parameters + "}", true).get(30,
+                    TimeUnit.SECONDS);
             JsonNode answer = answers.poll(30, TimeUnit.SECONDS);
             assertTrue(answer != null && answer.has("result"), method + ": " + answer);
             return answer.get("result");
@@ -135,14 +137,15 @@ class BrowserTest {
     private static void rows(LiveStream live, String seat, int from, int to, double gain) {
         for (int i = from; i < to; i++) {
             double u = Math.sin(0.45 * i) + 0.7 * Math.sin(0.21 * i * (1 + 0.0001 * i));
-            byte[] line = String.format(Locale.ROOT, "{\"seat\":\"%s\",\"t\":%.6f,\"platform.acc.z\":%.6f,\"head.acc.z\":%.6f,\"seat.acc.z\":%.6f}", seat,
+            byte[] line = String.format(Locale.ROOT,
+                    "{\"seat\":\"%s\",\"t\":%.6f,\"platform.acc.z\":%.6f,\"head.acc.z\":%.6f,\"seat.acc.z\":%.6f}", seat,
                     i / 60.0, u, 1.3 * u + 0.2 * Math.sin(0.9 * i), gain * u).getBytes(StandardCharsets.UTF_8);
             live.line("test", "", line, 0, line.length);
         }
     }
 
     private static LiveStream live() {
-        return new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+        return new LiveStream(LiveSettings.usual(), text -> {}, Aside.NONE, System::nanoTime);
     }
 
     private static PageServer server(int port, LiveStream live) throws IOException {
@@ -253,8 +256,9 @@ class BrowserTest {
         rows(live, "loader", 0, 7200, 12);
         try (Browser browser = new Browser(chromium(), Files.createTempDirectory("browser")); PageServer server = server(0, live)) {
             for (int width : new int[] {1400, 390}) {
-                browser.ask("Emulation.setDeviceMetricsOverride", "{\"width\":" + width + ",\"height\":1000,\"deviceScaleFactor\":1,\"mobile\":"
-                        + (width < 500) + "}");
+                browser.ask("Emulation.setDeviceMetricsOverride",
+                        "{\"width\":" + width + ",\"height\":1000,\"deviceScaleFactor\":1,\"mobile\":"
+                                + (width < 500) + "}");
                 browser.ask("Page.navigate", "{\"url\":\"" + server.address() + "?seat=loader\"}");
                 browser.until("document.querySelectorAll('.tile').length === 5");
                 rows(live, "loader", 7200 + width, 9000 + width, 12);

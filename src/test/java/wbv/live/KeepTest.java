@@ -31,7 +31,8 @@ class KeepTest {
         for (int i = 0; i < samples; i++) {
             double u = Math.sin(0.45 * i) + 0.7 * Math.sin(0.21 * i * (1 + 0.0001 * i));
             for (String seat : List.of("a", "b")) {
-                rows.add(String.format(Locale.ROOT, "%.6f,%s,%.6f,%.6f,%.6f", i / 60.0, seat, u, 1.3 * u + 0.2 * Math.sin(0.9 * i), u * (seat.equals("a") ? 1 : 5)));
+                rows.add(String.format(Locale.ROOT, "%.6f,%s,%.6f,%.6f,%.6f", i / 60.0, seat, u, 1.3 * u + 0.2 * Math.sin(0.9 * i),
+                        u * (seat.equals("a") ? 1 : 5)));
             }
         }
         return rows;
@@ -112,7 +113,7 @@ class KeepTest {
     void whatWasKeptDamagedOrWithOtherOptionsIsRefusedInOneLine() throws IOException {
         Path state = folder.resolve("state");
         try (Keep keep = new Keep(state)) {
-            LiveStream live = new LiveStream(LiveSettings.usual(), line -> { }, Aside.NONE, Optional.of(keep), () -> 0);
+            LiveStream live = new LiveStream(LiveSettings.usual(), line -> {}, Aside.NONE, Optional.of(keep), () -> 0);
             live.resume();
             send(live, HEADER);
             rows(300).forEach(row -> send(live, row));
@@ -122,7 +123,8 @@ class KeepTest {
         LiveSettings others = new LiveSettings(usual.reading(), usual.columns(), wbv.filter.Method.EKF, usual.input(), usual.outputs(),
                 usual.place(), false, usual.states(), 1, 5);
         try (Keep keep = new Keep(state)) {
-            DataFault fault = assertThrows(DataFault.class, () -> new LiveStream(others, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
+            DataFault fault = assertThrows(DataFault.class,
+                    () -> new LiveStream(others, line -> {}, Aside.NONE, Optional.of(keep), () -> 0).resume());
             assertTrue(fault.getMessage().contains("other options") && fault.getMessage().lines().count() == 1, fault.getMessage());
         }
         Path file;
@@ -138,7 +140,8 @@ class KeepTest {
             }
             Files.write(file, bad);
             try (Keep keep = new Keep(state)) {
-                DataFault fault = assertThrows(DataFault.class, () -> new LiveStream(usual, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
+                DataFault fault = assertThrows(DataFault.class,
+                        () -> new LiveStream(usual, line -> {}, Aside.NONE, Optional.of(keep), () -> 0).resume());
                 assertTrue(fault.getMessage().lines().count() == 1, fault.getMessage());
             }
         }

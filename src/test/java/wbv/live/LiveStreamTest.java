@@ -64,8 +64,10 @@ class LiveStreamTest {
     @Test
     void aStreamGivesWhatItsRecordingGives() throws IOException {
         LiveSettings usual = LiveSettings.usual();
-        Told told = new Told(new LiveSettings(usual.reading(), usual.columns(), usual.method(), usual.input(), usual.outputs(), usual.place(), false,
-                Optional.of(StateModelFile.shipped()), 1, 5)).stream(Files.readAllBytes(RIDE)).finish();
+        Told told = new Told(
+                new LiveSettings(usual.reading(), usual.columns(), usual.method(), usual.input(), usual.outputs(), usual.place(), false,
+                        Optional.of(StateModelFile.shipped()), 1, 5))
+                .stream(Files.readAllBytes(RIDE)).finish();
         List<JsonNode> results = told.of("result");
         assertEquals(150, results.size());
         Recording recording = new RecordingFile(RIDE).load();
@@ -77,19 +79,24 @@ class LiveStreamTest {
             if ((i + 1) % 60 == 0) {
                 JsonNode mode = results.get(i / 60).get("bodies").get(0).get("modes").get(0);
                 assertEquals(track.frequency(), mode.get("natural_frequency_hz").asDouble(), 5e-6 * track.frequency(), "sample " + i);
-                assertEquals(track.frequencyDeviation(), mode.get("natural_frequency_deviation_hz").asDouble(), 5e-6 * track.frequencyDeviation());
+                assertEquals(track.frequencyDeviation(), mode.get("natural_frequency_deviation_hz").asDouble(),
+                        5e-6 * track.frequencyDeviation());
                 assertEquals(track.damping(), mode.get("damping_ratio").asDouble(), 5e-6 * track.damping());
             }
         }
-        SeatMeasurement measured = SeatMeter.measure(new RecordingFile(RIDE), new SeatMeter.Setup(Optional.of("seat"), Optional.empty(), false), share -> { });
+        SeatMeasurement measured = SeatMeter.measure(new RecordingFile(RIDE),
+                new SeatMeter.Setup(Optional.of("seat"), Optional.empty(), false), share -> {});
         JsonNode exposure = results.get(149).get("exposure");
         for (SeatAxis axis : SeatAxis.values()) {
             JsonNode one = exposure.get("axes").get(axis.ordinal());
-            assertEquals(measured.axes().get(axis).rms(), one.get("a_w_m_s2").asDouble(), 0.006 * measured.axes().get(axis).rms(), axis.toString());
-            assertEquals(axis.factor() * measured.axes().get(axis).vdv(), one.get("vdv_m_s1.75").asDouble(), 0.006 * axis.factor() * measured.axes().get(axis).vdv());
+            assertEquals(measured.axes().get(axis).rms(), one.get("a_w_m_s2").asDouble(), 0.006 * measured.axes().get(axis).rms(),
+                    axis.toString());
+            assertEquals(axis.factor() * measured.axes().get(axis).vdv(), one.get("vdv_m_s1.75").asDouble(),
+                    0.006 * axis.factor() * measured.axes().get(axis).vdv());
         }
         double seconds = exposure.get("seconds").asDouble();
-        assertEquals(exposure.get("axes").get(2).get("a_w_m_s2").asDouble() * Math.sqrt(seconds / 28800), exposure.get("a8_m_s2").asDouble(), 1e-5);
+        assertEquals(exposure.get("axes").get(2).get("a_w_m_s2").asDouble() * Math.sqrt(seconds / 28800),
+                exposure.get("a8_m_s2").asDouble(), 1e-5);
         assertEquals(List.of(9000L, 0L, 1L), List.of(told.live.rows(), told.live.unreadable(), (long) told.live.seats()));
         assertTrue(results.get(149).get("state").get("name").asText().equals("riding"), results.get(149).toString());
     }
@@ -100,7 +107,8 @@ class LiveStreamTest {
         try (GZIPOutputStream zip = new GZIPOutputStream(packed)) {
             zip.write((HEADER + rows(0, 600)).getBytes(StandardCharsets.UTF_8));
         }
-        assertEquals(Told.usual().send(HEADER + rows(0, 600)).finish().of("result"), Told.usual().stream(packed.toByteArray()).finish().of("result"));
+        assertEquals(Told.usual().send(HEADER + rows(0, 600)).finish().of("result"),
+                Told.usual().stream(packed.toByteArray()).finish().of("result"));
     }
 
     @Test
@@ -109,13 +117,15 @@ class LiveStreamTest {
         String[] one = rows(0, 600).split("\\R");
         for (String row : one) {
             String[] cells = row.split(",", 2);
-            text.append(cells[0]).append(",truck 7,").append(cells[1]).append('\n').append(cells[0]).append(",\"8, old\",").append(cells[1]).append('\n');
+            text.append(cells[0]).append(",truck 7,").append(cells[1]).append('\n').append(cells[0]).append(",\"8, old\",").append(cells[1])
+                    .append('\n');
         }
         Told told = Told.usual().send(text.toString()).finish();
         Told alone = Told.usual().send(HEADER + rows(0, 600)).finish();
         for (String seat : List.of("truck 7", "8, old")) {
             List<JsonNode> own = told.of("result").stream().filter(node -> node.get("seat").asText().equals(seat)).toList();
-            assertEquals(alone.of("result").stream().map(node -> node.get("bodies")).toList(), own.stream().map(node -> node.get("bodies")).toList());
+            assertEquals(alone.of("result").stream().map(node -> node.get("bodies")).toList(),
+                    own.stream().map(node -> node.get("bodies")).toList());
         }
     }
 
@@ -124,12 +134,14 @@ class LiveStreamTest {
         StringBuilder apart = new StringBuilder();
         for (String row : rows(0, 900).split("\\R")) {
             String[] cells = row.split(",");
-            apart.append("{\"t\":").append(cells[0]).append(",\"platform.acc.z\":").append(cells[1]).append(",\"seat.acc.z\":").append(cells[3]).append("}\n")
+            apart.append("{\"t\":").append(cells[0]).append(",\"platform.acc.z\":").append(cells[1]).append(",\"seat.acc.z\":")
+                    .append(cells[3]).append("}\n")
                     .append("{\"t\":").append(cells[0]).append(",\"head.acc.z\":").append(cells[2]).append("}\n");
         }
         Told told = Told.usual().send(apart.toString()).finish();
         List<JsonNode> whole = Told.usual().send(HEADER + rows(0, 900)).finish().of("result");
-        assertEquals(whole.stream().map(node -> node.get("bodies")).toList(), told.of("result").stream().map(node -> node.get("bodies")).toList());
+        assertEquals(whole.stream().map(node -> node.get("bodies")).toList(),
+                told.of("result").stream().map(node -> node.get("bodies")).toList());
         assertEquals(0, told.of("result").get(14).get("losses").get("values").asInt());
     }
 
@@ -141,7 +153,8 @@ class LiveStreamTest {
             rows[i] = String.join(",", cells[0], cells[1], i < 400 ? "0.25" : "", cells[3]);
         }
         Told told = Told.usual().send(HEADER + String.join("\n", rows)).finish();
-        assertEquals(List.of("stuck", "missing", "-missing", "-stuck"), told.alarms().stream().filter(kind -> kind.matches("-?(stuck|missing)")).toList());
+        assertEquals(List.of("stuck", "missing", "-missing", "-stuck"),
+                told.alarms().stream().filter(kind -> kind.matches("-?(stuck|missing)")).toList());
         JsonNode stuck = told.of("alarm").get(0);
         assertEquals("head.acc.z stands still at 0.25", stuck.get("reason").asText());
         assertEquals(330 / 60.0, stuck.get("t_s").asDouble(), 0.1);
@@ -164,7 +177,8 @@ class LiveStreamTest {
         StringBuilder text = new StringBuilder(HEADER);
         for (String row : rows(0, 1800, 9.81, i -> i / 60, i -> true).split("\\R")) {
             String[] cells = row.split(",");
-            text.append(String.join(",", cells[0], cells[1], cells[2], Double.toString(Math.min(10.2, Double.parseDouble(cells[3]))))).append('\n');
+            text.append(String.join(",", cells[0], cells[1], cells[2], Double.toString(Math.min(10.2, Double.parseDouble(cells[3])))))
+                    .append('\n');
         }
         Told told = Told.usual().send(text.toString()).finish();
         assertEquals(1, told.alarms().stream().filter("clipped"::equals).count(), told.alarms().toString());
@@ -196,7 +210,8 @@ class LiveStreamTest {
         List<String> whole = new ArrayList<>();
         LiveStream live = new LiveStream(LiveSettings.usual(), whole::add, Aside.NONE, () -> 0);
         new StreamSource("test", new java.io.ByteArrayInputStream((HEADER + rows(0, 600)).getBytes(StandardCharsets.UTF_8))).run(live);
-        assertEquals(whole.stream().filter(line -> line.contains("\"result\"")).toList(), lines.stream().filter(line -> line.contains("\"result\"")).toList());
+        assertEquals(whole.stream().filter(line -> line.contains("\"result\"")).toList(),
+                lines.stream().filter(line -> line.contains("\"result\"")).toList());
     }
 
     @Test
@@ -209,8 +224,9 @@ class LiveStreamTest {
     @Test
     void namesMadeUpBySendersDoNotFillTheMemory() {
         LiveSettings usual = LiveSettings.usual();
-        Told told = new Told(new LiveSettings(usual.reading(), usual.columns(), usual.method(), usual.input(), usual.outputs(), usual.place(), false,
-                usual.states(), 1, 5));
+        Told told = new Told(
+                new LiveSettings(usual.reading(), usual.columns(), usual.method(), usual.input(), usual.outputs(), usual.place(), false,
+                        usual.states(), 1, 5));
         for (int i = 0; i < 2000; i++) {
             told.sendFrom("sender " + i, "{\"seat\":\"s" + i + "\",\"t\":" + i + ",\"seat.acc.z\":1,\"c" + i + ".acc.x\":1}");
         }
@@ -247,10 +263,13 @@ class LiveStreamTest {
     private static void mutated(int count, long seed) {
         Random random = new Random(seed);
         LiveSettings usual = LiveSettings.usual();
-        Told told = new Told(new LiveSettings(usual.reading(), usual.columns(), Method.EKF, usual.input(), usual.outputs(), usual.place(), false,
-                usual.states(), 1, 50));
-        List<String> forms = List.of("t,seat,platform.acc.z,head.acc.z", "%f,7,0.5,0.25", "{\"seat\":\"7\",\"t\":%f,\"platform.acc.z\":0.5,\"head.acc.z\":0.25}",
-                "{\"t\":[%f,2.5],\"seat.acc.z\":[1,2]}", "PacketCounter,SampleTimeFine,FreeAcc_Z,Gyr_X", "12,%f,0.5,0.25", "@attribute seat.acc.z numeric", "@data");
+        Told told = new Told(
+                new LiveSettings(usual.reading(), usual.columns(), Method.EKF, usual.input(), usual.outputs(), usual.place(), false,
+                        usual.states(), 1, 50));
+        List<String> forms = List.of("t,seat,platform.acc.z,head.acc.z", "%f,7,0.5,0.25",
+                "{\"seat\":\"7\",\"t\":%f,\"platform.acc.z\":0.5,\"head.acc.z\":0.25}",
+                "{\"t\":[%f,2.5],\"seat.acc.z\":[1,2]}", "PacketCounter,SampleTimeFine,FreeAcc_Z,Gyr_X", "12,%f,0.5,0.25",
+                "@attribute seat.acc.z numeric", "@data");
         String[] good = (HEADER.replace("\n", System.lineSeparator()) + rows(0, count / 4 - 1)).split("\\R");
         for (int i = 0; i < count; i++) {
             byte[] line = String.format(Locale.ROOT, forms.get(random.nextInt(forms.size())), i / 60.0).getBytes(StandardCharsets.UTF_8);

@@ -82,7 +82,7 @@ class MqttSourceTest {
                     case 14 -> {
                         return;
                     }
-                    default -> { }
+                    default -> {}
                 }
                 out.flush();
             }
@@ -97,7 +97,7 @@ class MqttSourceTest {
                 byte[] payload = messages.get(i)[1].getBytes(StandardCharsets.UTF_8);
                 int length = 2 + topic.length + 2 + payload.length;
                 out.write(0x32);
-                for (int left = length; ; left >>= 7) {
+                for (int left = length;; left >>= 7) {
                     out.write(left > 0x7f ? left & 0x7f | 0x80 : left);
                     if (left <= 0x7f) {
                         break;
@@ -161,8 +161,9 @@ class MqttSourceTest {
         try (ServerSocket once = new ServerSocket(0)) {
             free = once.getLocalPort();
         }
-        LiveStream live = new LiveStream(LiveSettings.usual(), line -> { }, Aside.NONE, System::nanoTime);
-        LiveRun run = new LiveRun(live, List.of(new MqttSource("tcp://127.0.0.1:" + free, "a/+", "test", "", "")), Double.POSITIVE_INFINITY);
+        LiveStream live = new LiveStream(LiveSettings.usual(), line -> {}, Aside.NONE, System::nanoTime);
+        LiveRun run = new LiveRun(live, List.of(new MqttSource("tcp://127.0.0.1:" + free, "a/+", "test", "", "")),
+                Double.POSITIVE_INFINITY);
         DataFault fault = assertThrows(DataFault.class, run::run);
         assertTrue(fault.getMessage().lines().count() == 1 && fault.getMessage().contains("127.0.0.1"), fault.getMessage());
     }

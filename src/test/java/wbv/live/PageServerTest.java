@@ -35,10 +35,11 @@ class PageServerTest {
     private static final InetSocketAddress ANY = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 
     private final HttpClient client = HttpClient.newHttpClient();
-    private final LiveStream live = new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+    private final LiveStream live = new LiveStream(LiveSettings.usual(), text -> {}, Aside.NONE, System::nanoTime);
 
     private HttpResponse<String> get(PageServer server, String path) throws IOException, InterruptedException {
-        return client.send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + path)).build(), HttpResponse.BodyHandlers.ofString());
+        return client.send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + path)).build(),
+                HttpResponse.BodyHandlers.ofString());
     }
 
     private void rows(String seat, int from, int to) {
@@ -66,15 +67,18 @@ class PageServerTest {
             String policy = page.headers().firstValue("Content-Security-Policy").orElse("");
             assertTrue(policy.contains("default-src 'none'") && policy.contains("script-src 'self'") && !policy.contains("unsafe"), policy);
             assertEquals("nosniff", page.headers().firstValue("X-Content-Type-Options").orElse(""));
-            assertFalse(page.body().contains("http://") || page.body().contains("https://") || page.body().contains("<script>"), page.body());
+            assertFalse(page.body().contains("http://") || page.body().contains("https://") || page.body().contains("<script>"),
+                    page.body());
             String script = get(server, "/live.js").body();
-            for (String word : List.of("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "new Function", "https://")) {
+            for (String word : List.of("innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", "eval(", "new Function",
+                    "https://")) {
                 assertFalse(script.contains(word), word);
             }
             assertTrue(get(server, "/live.css").body().contains("--paper"));
             assertEquals(404, get(server, "/../../etc/passwd").statusCode());
-            assertEquals(405, client.send(HttpRequest.newBuilder(URI.create(server.address())).POST(HttpRequest.BodyPublishers.ofString("x")).build(),
-                    HttpResponse.BodyHandlers.ofString()).statusCode());
+            assertEquals(405,
+                    client.send(HttpRequest.newBuilder(URI.create(server.address())).POST(HttpRequest.BodyPublishers.ofString("x")).build(),
+                            HttpResponse.BodyHandlers.ofString()).statusCode());
         }
     }
 
@@ -82,7 +86,8 @@ class PageServerTest {
     @Test
     void anotherNameForThisComputerIsRefused() throws IOException {
         try (PageServer server = new PageServer(ANY, live::feed); Socket socket = new Socket("127.0.0.1", server.port())) {
-            socket.getOutputStream().write("GET /events HTTP/1.1\r\nHost: evil.example:80\r\nConnection: close\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+            socket.getOutputStream().write(
+                    "GET /events HTTP/1.1\r\nHost: evil.example:80\r\nConnection: close\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
             assertTrue(new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).startsWith("HTTP/1.1 400"));
         }
     }
@@ -97,7 +102,8 @@ class PageServerTest {
     }
 
     private BufferedReader events(PageServer server, String query) throws IOException, InterruptedException {
-        HttpResponse<InputStream> response = client.send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + "/events" + query)).build(),
+        HttpResponse<InputStream> response = client.send(
+                HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + "/events" + query)).build(),
                 HttpResponse.BodyHandlers.ofInputStream());
         assertEquals("text/event-stream", response.headers().firstValue("Content-Type").orElse(""));
         return new BufferedReader(new InputStreamReader(response.body(), StandardCharsets.UTF_8));
@@ -149,7 +155,7 @@ class PageServerTest {
                 run = next(events).get("run").asText();
             }
         }
-        LiveStream another = new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+        LiveStream another = new LiveStream(LiveSettings.usual(), text -> {}, Aside.NONE, System::nanoTime);
         try (PageServer server = new PageServer(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), another::feed);
                 BufferedReader events = events(server, "")) {
             JsonNode first = next(events);
@@ -164,7 +170,8 @@ class PageServerTest {
             LiveRun run = new LiveRun(live, List.of(source), Double.POSITIVE_INFINITY);
             Thread runs = Told.running(run);
             for (int i = 0; i < 600; i += 6) {
-                byte[] bytes = String.join("\n", IntStream.range(i, i + 6).mapToObj(k -> row("7", k)).toList()).getBytes(StandardCharsets.UTF_8);
+                byte[] bytes = String.join("\n", IntStream.range(i, i + 6).mapToObj(k -> row("7", k)).toList())
+                        .getBytes(StandardCharsets.UTF_8);
                 sender.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), source.port()));
                 Thread.sleep(1);
             }

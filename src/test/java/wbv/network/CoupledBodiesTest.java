@@ -35,7 +35,7 @@ class CoupledBodiesTest {
         RigSpec drawn = Bodies.COUPLED.draw(new SplittableRandom(12), 5);
         RigSpec spec = RigSpec.parse(drawn.withEffects(Effects.NONE).toString()
                 .replaceAll("excitation=\\S+", "excitation=sine:" + axis + ":" + frequency + ":1").replaceAll("seconds=\\S+",
-                "seconds=" + SECONDS));
+                        "seconds=" + SECONDS));
         Sitter.OneDof body = (Sitter.OneDof) drawn.sitter();
         assertTrue(Math.abs(body.crossX()) > 0.02 && Math.abs(body.crossY()) > 0.02, body.toString());
         Complex s = new Complex(0, TAU * frequency);
@@ -75,7 +75,7 @@ class CoupledBodiesTest {
             assertTrue(Math.abs(body.crossX()) <= 0.5 && Math.abs(body.crossY()) <= 0.5);
         }
         double worst = 0;
-        for (LabelledMotion trial : RigTrials.of(Bodies.COUPLED, 20, 3, share -> { })) {
+        for (LabelledMotion trial : RigTrials.of(Bodies.COUPLED, 20, 3, share -> {})) {
             worst = Math.max(worst, Math.abs(correlation(trial.motion()[0], trial.motion()[2])));
             worst = Math.max(worst, Math.abs(correlation(trial.motion()[2], trial.motion()[3])));
         }
@@ -85,7 +85,7 @@ class CoupledBodiesTest {
     /** The fit that sees all axes finds the body to sensors' noise; the one that sees z alone takes the rest for noise. */
     @Test
     void theFitOfThreeAxesIsManyTimesBetterThanThatOfOne() {
-        List<LabelledMotion> trials = RigTrials.of(Bodies.COUPLED, 60, 8, share -> { });
+        List<LabelledMotion> trials = RigTrials.of(Bodies.COUPLED, 60, 8, share -> {});
         Score three = Score.of(1, trials, trials.stream().map(trial -> Peers.fit(trial.motion(), 1)).toList(), 0, 1);
         Score one = Score.of(1, trials, trials.stream().map(trial -> Peers.fit(Arrays.copyOf(trial.motion(), 2), 1))
                 .toList(), 0, 1);

@@ -111,7 +111,7 @@ class LayersTest {
     }
 
     private static double moved(Architecture architecture, Block block, ParameterStore store, NDArray images, NDArray truth,
-                                NDArray array, int i, double step) {
+            NDArray array, int i, double step) {
         double[] values = array.toDoubleArray();
         double[] other = values.clone();
         other[i] += step;

@@ -60,7 +60,7 @@ class ReaderTest {
 
     @Test
     void oneAtATimeAndAllAtOnceAreTheSame() {
-        List<LabelledMotion> trials = RigTrials.of(Bodies.ONE_DOF, 3, 5, share -> { });
+        List<LabelledMotion> trials = RigTrials.of(Bodies.ONE_DOF, 3, 5, share -> {});
         try (Reader reader = new Reader(TrainedNetwork.shipped(1))) {
             List<Reading> all = reader.readAll(trials.stream().map(LabelledMotion::motion).toList());
             assertEquals(all.get(2).fitted().value()[1], reader.read(trials.get(2).motion()).fitted().value()[1], 1e-4);
@@ -73,7 +73,7 @@ class ReaderTest {
         private final List<Reading> readings;
 
         Asked(Bodies bodies, int count) {
-            trials = RigTrials.of(bodies, count, 4242, share -> { });
+            trials = RigTrials.of(bodies, count, 4242, share -> {});
             try (Reader reader = new Reader(TrainedNetwork.shipped(bodies.modes()))) {
                 readings = reader.readAll(trials.stream().map(LabelledMotion::motion).toList());
             }

@@ -49,7 +49,7 @@ class ScoreTest {
     /** On a linear body the instruments are near the truth of the rig. */
     @Test
     void peersKnowTheBody() {
-        LabelledMotion trial = RigTrials.of(Bodies.ONE_DOF, 1, 1, share -> { }).get(0);
+        LabelledMotion trial = RigTrials.of(Bodies.ONE_DOF, 1, 1, share -> {}).get(0);
         double[] found = Peers.instruments(trial.motion(), 1).value();
         assertEquals(trial.truth()[0], found[0], 0.05);
         assertEquals(trial.truth()[1], found[1], 0.1 * trial.truth()[1]);
@@ -59,7 +59,7 @@ class ScoreTest {
     /** The likelihood of the answer's spectrum alone: half of the bodies to 0.7 Hz, where knowing nothing gives 1.75. */
     @Test
     void theAnswersSpectrumAloneTellsTheFrequencyRoughly() {
-        double[] errors = RigTrials.of(Bodies.ONE_DOF, 40, 6, share -> { }).stream()
+        double[] errors = RigTrials.of(Bodies.ONE_DOF, 40, 6, share -> {}).stream()
                 .mapToDouble(trial -> Math.abs(Peers.spectrum(trial.motion()[1]).value()[1] - trial.truth()[1]))
                 .sorted().toArray();
         assertTrue(errors[20] < 0.7 * 2 * Math.PI, "median " + errors[20] + " rad/s");

@@ -32,9 +32,11 @@ class TrainerTest {
     @Tag("slow")
     @Test
     void aReducedRunLearns() throws IOException {
-        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 400, 3, Architecture.POOLED, new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
-                0.3, 0, 1), 1);
-        Trainer.Result result = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
+        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 400, 3, Architecture.POOLED,
+                new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
+                        0.3, 0, 1),
+                1);
+        Trainer.Result result = new Trainer(order, Optional.empty(), (step, share) -> {}).train();
         List<Losses> losses = result.losses().get(0);
         double first = losses.get(0).rmse();
         double last = losses.get(losses.size() - 1).rmse();
@@ -47,9 +49,11 @@ class TrainerTest {
     @Tag("slow")
     @Test
     void theThesisNetworkLearnsToo() throws IOException {
-        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
-                0.1, 0.2, 1), 1);
-        List<Losses> losses = new Trainer(order, Optional.empty(), (step, share) -> { }).train().losses().get(0);
+        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 150, 3, Architecture.CNN,
+                new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
+                        0.1, 0.2, 1),
+                1);
+        List<Losses> losses = new Trainer(order, Optional.empty(), (step, share) -> {}).train().losses().get(0);
         assertTrue(losses.get(4).train() < 0.66 * losses.get(0).train(), losses.toString());
     }
 
@@ -58,8 +62,8 @@ class TrainerTest {
     void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
         TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
                 2, 0.5, 0.3, 1), 2);
-        Trainer.Result whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
-        assertArrayEquals(whole.model().bytes(), new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
+        Trainer.Result whole = new Trainer(order, Optional.empty(), (step, share) -> {}).train();
+        assertArrayEquals(whole.model().bytes(), new Trainer(order, Optional.empty(), (step, share) -> {}).train().model().bytes());
         Path checkpoint = folder.resolve("state.safetensors");
         for (double stop : new double[] {0.3, 0.8}) {
             assertThrows(IllegalStateException.class, () -> new Trainer(order, Optional.of(checkpoint), (step, share) -> {
@@ -74,7 +78,7 @@ class TrainerTest {
         }).train());
         assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
         for (int again = 0; again < 2; again++) {   // the second time from a training that was done, its model not yet written
-            Trainer goesOn = new Trainer(order, Optional.of(checkpoint), (step, share) -> { });
+            Trainer goesOn = new Trainer(order, Optional.of(checkpoint), (step, share) -> {});
             Trainer.Result resumed = goesOn.train();
             assertArrayEquals(whole.model().bytes(), resumed.model().bytes());
             assertEquals(whole.losses(), resumed.losses());
@@ -88,10 +92,10 @@ class TrainerTest {
 
     @Test
     void everyTrialHasABodyOfItsOwnAndComesBackForItsSeed() {
-        List<LabelledMotion> trials = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        List<LabelledMotion> trials = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> {});
         assertEquals(40, trials.stream().map(LabelledMotion::rig).distinct().count());
         assertEquals(40, trials.stream().map(trial -> trial.truth()[0] + " " + trial.truth()[3]).distinct().count());
-        List<LabelledMotion> again = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        List<LabelledMotion> again = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> {});
         assertArrayEquals(trials.get(39).motion()[1], again.get(39).motion()[1]);
         assertTrue(trials.stream().allMatch(trial -> trial.truth()[1] <= trial.truth()[3]));
     }

@@ -6,7 +6,7 @@ import wbv.recording.DataFault;
 /** Skips tests that need PyTorch's library where the build has none for the platform. */
 public final class WithEngine {
 
-    private WithEngine() { }
+    private WithEngine() {}
 
     public static void orSkip() {
         try {

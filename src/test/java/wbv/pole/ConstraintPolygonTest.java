@@ -52,7 +52,7 @@ class ConstraintPolygonTest {
         ConstraintPolygon polygon = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.FREQUENCY, x, y, 0.3);
         for (double at = -0.95; at < 1; at += 0.13) {
             Geometry cut = jts(polygon).intersection(FACTORY.createLineString(new Coordinate[] {new Coordinate(at, -9),
-                    new Coordinate(at, 9)}));
+                new Coordinate(at, 9)}));
             Chord chord = polygon.at(at);
             assertTrue(chord.inside());
             assertEquals(cut.getEnvelopeInternal().getMinY(), chord.lower(), 1e-9);
@@ -79,7 +79,7 @@ class ConstraintPolygonTest {
     @Test
     void beyondThePolygonItsNearestEndCountsAndIsFlagged() {
         ConstraintPolygon triangle = new ConstraintPolygon(Attribute.FREQUENCY, Attribute.DAMPING, 1, 3, new double[] {1, 3, 3,
-                1},
+            1},
                 new double[] {0.2, 0.1, 0.5, 0.2});
         assertEquals(0.15, triangle.at(2).lower(), 1e-12);
         assertEquals(0.35, triangle.at(2).upper(), 1e-12);
@@ -105,7 +105,8 @@ class ConstraintPolygonTest {
         ConstraintPolygon plain = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1);
         ConstraintPolygon wide = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1, who);
         assertTrue(wide.width() > 1.3 * plain.width(), wide.width() + ", " + plain.width());
-        ConstraintPolygon one = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1, java.util.Collections.nCopies(n, "one"));
+        ConstraintPolygon one = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1,
+                java.util.Collections.nCopies(n, "one"));
         assertEquals(plain.width(), one.width(), 1e-12);
         ConstraintPolygon square = new ConstraintPolygon(Attribute.FREQUENCY, Attribute.DAMPING, 1, 4, new double[] {1, 4, 4, 1, 1},
                 new double[] {2, 2, 7, 7, 2});

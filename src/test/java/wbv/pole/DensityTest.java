@@ -26,7 +26,7 @@ class DensityTest {
         try (InputStream in = DensityTest.class.getResourceAsStream("clusters.csv")) {
             rows = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().skip(3)
                     .map(line -> Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray())
-                            .toArray(double[][]::new);
+                    .toArray(double[][]::new);
         }
         points = Arrays.stream(rows).map(row -> new double[] {row[0], row[1]}).toArray(double[][]::new);
     }

@@ -36,13 +36,13 @@ public final class RemovalProof {
     private static final int FIRST_LEARNED = 1;
     private static final int FIRST_HELD = 101;
 
-    private RemovalProof() { }
+    private RemovalProof() {}
 
     /** One method on one channel of one recording. */
-    private record Score(String method, Channel channel, String test, double error, double frequency, double magnitude) { }
+    private record Score(String method, Channel channel, String test, double error, double frequency, double magnitude) {}
 
     /** How many windows' bodies, as the absent sensor shows them, lay within the bounds: by attribute, and the middle's error (ln). */
-    private record Held(Channel channel, String test, Attribute attribute, int windows, int within, int over, double width, double off) { }
+    private record Held(Channel channel, String test, Attribute attribute, int windows, int within, int over, double width, double off) {}
 
     public static void main(String[] arguments) {
         int learned = arguments.length > 0 ? Integer.parseInt(arguments[0]) : 6;
@@ -92,9 +92,11 @@ public final class RemovalProof {
             for (double damping : new double[] {0.2, 0.4, 0.6}) {
                 methods.put("unconstrained EKF, from 5 Hz and " + damping, estimator(u, rate, Pole.of(5, damping)));
             }
-            Optional<TransmissibilityPeak> seen = TransmissibilityPeak.of(TransmissibilityPeak.response(u, truth, (int) (SETTLED * rate), rate));
+            Optional<TransmissibilityPeak> seen = TransmissibilityPeak
+                    .of(TransmissibilityPeak.response(u, truth, (int) (SETTLED * rate), rate));
             methods.forEach((method, motion) -> {
-                Optional<TransmissibilityPeak> said = TransmissibilityPeak.of(TransmissibilityPeak.response(u, motion, (int) (SETTLED * rate), rate));
+                Optional<TransmissibilityPeak> said = TransmissibilityPeak
+                        .of(TransmissibilityPeak.response(u, motion, (int) (SETTLED * rate), rate));
                 boolean both = seen.isPresent() && said.isPresent();
                 scores.add(new Score(method, absent, test, error(truth, motion, (int) (SETTLED * rate)),
                         both ? said.get().frequency() - seen.get().frequency() : Double.NaN,
@@ -112,7 +114,8 @@ public final class RemovalProof {
         double rate = recording.clock().rate();
         int window = (int) Math.round(trained.windows().length() * rate);
         List<Held> held = new ArrayList<>();
-        double[][] u = trained.layout().inputs().stream().map(channel -> PoleWindows.quiet(recording.values(channel))).toArray(double[][]::new);
+        double[][] u = trained.layout().inputs().stream().map(channel -> PoleWindows.quiet(recording.values(channel)))
+                .toArray(double[][]::new);
         double[] y = PoleWindows.quiet(recording.values(absent));
         for (Attribute attribute : Attributes.OF_A_BODY) {
             int windows = 0;
@@ -145,7 +148,8 @@ public final class RemovalProof {
     }
 
     private static double[] estimator(double[] u, double rate, Pole start) {
-        var estimator = EstimatorDesign.of(Method.EKF).estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), () -> new AdwinAlarm(0.002));
+        var estimator = EstimatorDesign.of(Method.EKF).estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()),
+                () -> new AdwinAlarm(0.002));
         double[] out = new double[u.length];
         for (int k = 0; k < u.length; k++) {
             // The sensor is there for one sample, that gravity and bias are known.
@@ -188,7 +192,7 @@ public final class RemovalProof {
                     System.out.printf(Locale.ROOT, "| %s | %s | %s | %d | %d | %.4f (%.4f) | %.2f (%.2f) | %.3f (%.3f) |%n",
                             channel, method, group, own.size(), f.length,
                             own.stream().mapToDouble(Score::error).average().orElse(Double.NaN), own.stream()
-                            .mapToDouble(Score::error).max().orElse(Double.NaN),
+                                    .mapToDouble(Score::error).max().orElse(Double.NaN),
                             f[f.length / 2], f[f.length - 1], m[m.length / 2], m[m.length - 1]);
                 }
             }
@@ -201,14 +205,16 @@ public final class RemovalProof {
                         + "middle off, mean |");
         System.out.println("|---|---|---|---|---|---|---|---|");
         for (String group : List.of("regime", "random")) {
-            for (Channel channel : all.stream().map(Held::channel).distinct().sorted(java.util.Comparator.comparing(Channel::toString)).toList()) {
+            for (Channel channel : all.stream().map(Held::channel).distinct().sorted(java.util.Comparator.comparing(Channel::toString))
+                    .toList()) {
                 for (Attribute attribute : Attributes.OF_A_BODY) {
                     List<Held> own = all.stream().filter(h -> h.channel().equals(channel) && h.attribute() == attribute
                             && h.test().contains(group)).toList();
                     double windows = own.stream().mapToInt(Held::windows).sum();
                     System.out.printf(Locale.ROOT, "| %s | %s | %s | %.0f | %.0f %% | %.0f %% | %.3f | %.3f |%n", channel,
                             attribute.name().toLowerCase(Locale.ROOT).replace('_', ' '), group, windows,
-                            100 * own.stream().mapToInt(Held::within).sum() / windows, 100 * own.stream().mapToInt(Held::over).sum() / windows,
+                            100 * own.stream().mapToInt(Held::within).sum() / windows,
+                            100 * own.stream().mapToInt(Held::over).sum() / windows,
                             own.stream().mapToDouble(Held::width).sum() / windows, own.stream().mapToDouble(Held::off).sum() / windows);
                 }
             }

@@ -53,8 +53,9 @@ class SensorRemovalTest {
     private static Recording rig(int subject, String level, int seconds) {
         return RigSpec.parse("subject=" + subject + " excitation=random:z:0.5-12:" + level + " seconds=" + seconds
                 + " seed=" + (10 * subject
-                + level.length() + seconds) + " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z,head.acc.z")
-                        .recording();
+                        + level.length() + seconds)
+                + " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z,head.acc.z")
+                .recording();
     }
 
     @Test
@@ -97,7 +98,8 @@ class SensorRemovalTest {
         SensorRemoval.Seen last = prediction.seen().get(prediction.seen().size() - 1);
         for (int k = (int) last.sample() + 1; k < stranger.length(); k++) {
             Chord frequencies = last.bounds().get(HEAD).get(0);
-            assertTrue(body.frequency()[k] > frequencies.lower() && body.frequency()[k] < frequencies.upper(), k + ": " + body.frequency()[k]);
+            assertTrue(body.frequency()[k] > frequencies.lower() && body.frequency()[k] < frequencies.upper(),
+                    k + ": " + body.frequency()[k]);
         }
         assertEquals(last.bounds().get(HEAD).get(1).middle(), body.damping()[stranger.length() - 1], 1e-3);
     }
@@ -108,8 +110,10 @@ class SensorRemovalTest {
         SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict("stranger", stranger);
         double[] u = stranger.values(Channel.parse("platform.acc.z"));
         int settled = 1500;
-        TransmissibilityPeak truth = TransmissibilityPeak.of(TransmissibilityPeak.response(u, stranger.values(HEAD), settled, 60)).orElseThrow();
-        TransmissibilityPeak said = TransmissibilityPeak.of(TransmissibilityPeak.response(u, prediction.bodies().get(HEAD).motion(), settled, 60)).orElseThrow();
+        TransmissibilityPeak truth = TransmissibilityPeak.of(TransmissibilityPeak.response(u, stranger.values(HEAD), settled, 60))
+                .orElseThrow();
+        TransmissibilityPeak said = TransmissibilityPeak
+                .of(TransmissibilityPeak.response(u, prediction.bodies().get(HEAD).motion(), settled, 60)).orElseThrow();
         assertEquals(truth.magnitude(), said.magnitude(), 0.1);
         assertEquals(truth.frequency(), said.frequency(), 0.4);
         assertTrue(RemovalCheck.error(stranger.values(HEAD), prediction.bodies().get(HEAD).motion(), settled) < 0.05);
@@ -153,7 +157,8 @@ class SensorRemovalTest {
         int at = text.indexOf("\"a_ascending\" : [");
         for (String first : List.of("-1.0", "1e300")) {
             int begin = text.indexOf('[', at) + 1;
-            Path file = Files.writeString(folder.resolve("p.json"), text.substring(0, begin) + " " + first + text.substring(text.indexOf(',', begin)));
+            Path file = Files.writeString(folder.resolve("p.json"),
+                    text.substring(0, begin) + " " + first + text.substring(text.indexOf(',', begin)));
             DataFault fault = assertThrows(DataFault.class, () -> PolygonFile.read(file));
             assertTrue(fault.getMessage().contains("p.json") && fault.getMessage().contains("no body's response"), fault.getMessage());
         }

@@ -87,7 +87,8 @@ class ForceMatchTest {
     private static Diagnosis found(Model model) {
         Diagnosis.Named named = new Diagnosis.Named("stiffness.hardening", "platform-torso", 0.9, Map.of(), Map.of(), 1);
         return new Diagnosis(Diagnosis.Verdict.MISSING_PHYSICS, "", List.of(), List.of(named), List.of(), "",
-                new Diagnosis.Fit(1, 1, 1, 1, 1, new double[] {30, 45}, List.of(), List.of(), Map.of()), List.of(), model, Optional.empty());
+                new Diagnosis.Fit(1, 1, 1, 1, 1, new double[] {30, 45}, List.of(), List.of(), Map.of()), List.of(), model,
+                Optional.empty());
     }
 
     /** Moved so slowly that it stands in balance: k r + k3 r³ = -m a, and k3 r³ is the law's. */

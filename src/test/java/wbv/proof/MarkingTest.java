@@ -71,8 +71,10 @@ class MarkingTest {
         Marking found = mark(Group.PAIR, plain, answer("missing-physics", names("friction.coulomb@seat-torso", "sensor.gain@head.acc.z"),
                 List.of()));
         Marking missed = mark(Group.PAIR, half, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of()));
-        List<String> lines = new ProofFigures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
-        assertEquals(List.of("| pairs exact | 1 (50 %) | 2 |", "| pairs exact, linear χ² ≥ 1.5 for each of the two | 1 (100 %) | 1 |"), lines);
+        List<String> lines = new ProofFigures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact"))
+                .toList();
+        assertEquals(List.of("| pairs exact | 1 (50 %) | 2 |", "| pairs exact, linear χ² ≥ 1.5 for each of the two | 1 (100 %) | 1 |"),
+                lines);
     }
 
     @Test
@@ -91,7 +93,7 @@ class MarkingTest {
                 answer("ambiguous", names("hysteresis@seat-torso"), names("friction.coulomb@seat-torso"))).mark());
         Marking third = mark(Group.LISTED, truth,
                 answer("ambiguous", names("hysteresis@seat-torso"), names("contact.loss@seat-torso",
-                "friction.coulomb@seat-torso")));
+                        "friction.coulomb@seat-torso")));
         assertEquals(Mark.WRONG, third.mark());
         assertTrue(third.family(), "dry friction and hysteresis are one family");
     }
@@ -140,7 +142,8 @@ class MarkingTest {
     @Test
     void whoCannotTellRefuses() {
         assertEquals(Mark.UNKNOWN, mark(Group.NOTHING, truth(), answer("cannot-tell", List.of(), List.of())).mark());
-        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth("friction.coulomb@seat-torso"), answer("cannot-tell", List.of(), List.of())).mark());
+        assertEquals(Mark.UNKNOWN,
+                mark(Group.LISTED, truth("friction.coulomb@seat-torso"), answer("cannot-tell", List.of(), List.of())).mark());
     }
 
     @Test
@@ -187,9 +190,12 @@ class MarkingTest {
 
     @Test
     void forcesAreComparedInOneLinkAndTermsWhereBothSidesSayThem() throws IOException {
-        List<ComparedTerm> law = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
-        List<ComparedTerm> turned = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
-        List<ComparedTerm> late = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
+        List<ComparedTerm> law = ComparedTerm.parse(new ObjectMapper()
+                .readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
+        List<ComparedTerm> turned = ComparedTerm.parse(new ObjectMapper()
+                .readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
+        List<ComparedTerm> late = ComparedTerm
+                .parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
         Truth truth = new Truth(List.of(new Truth.Concealed("unknown", "seat-torso", "", Map.of(), 9, law)), "rig", 1, 10, "seat", 1);
         double[] force = IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.5 * i)).toArray();
         ForceMatch match = new ForceMatch(60, force, IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.3 * i)).toArray(),
@@ -200,11 +206,14 @@ class MarkingTest {
                 ProofAnswer answer = new ProofAnswer("learned-law", "", names("learned@" + where), List.of(), List.of(), 10, 1, 12, 1.2, 3,
                         Optional.of(new LawForce(where, 60, 2, 8, Arrays.stream(force).boxed().toList(), terms)));
                 assertEquals(answer, ProofAnswer.parse(answer.json()));
-                all.add(Marking.of(new Suite.Question("521", Group.OPEN, new ConcealedSpec("521", List.of("open.damping.breathing"), 1, Setting.RIG,
-                        false, 1)), truth, answer, Optional.of(match)));
+                all.add(Marking.of(
+                        new Suite.Question("521", Group.OPEN, new ConcealedSpec("521", List.of("open.damping.breathing"), 1, Setting.RIG,
+                                false, 1)),
+                        truth, answer, Optional.of(match)));
             }
         }
-        assertEquals(List.of(Optional.of(true), Optional.of(false), Optional.empty()), all.subList(0, 3).stream().map(Marking::terms).toList());
+        assertEquals(List.of(Optional.of(true), Optional.of(false), Optional.empty()),
+                all.subList(0, 3).stream().map(Marking::terms).toList());
         assertEquals(1, all.get(0).correlation(), 1e-6);
         assertTrue(Double.isNaN(all.get(3).correlation()), "elsewhere");
         String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
@@ -222,16 +231,21 @@ class MarkingTest {
     void benchesPlanarPeopleAndLevelsAreMarkedByWhatWasConcealed() {
         Truth law = truth("friction.coulomb@ground-mass");
         Truth open = truth("unknown@ground-mass");
-        List<Marking> all = List.of(mixed(Group.RIG, "friction.coulomb", false, law, answer("missing-physics", names("friction.coulomb@ground-mass"), List.of())),
+        List<Marking> all = List.of(
+                mixed(Group.RIG, "friction.coulomb", false, law,
+                        answer("missing-physics", names("friction.coulomb@ground-mass"), List.of())),
                 mixed(Group.RIG, "sensor.gain", false, truth("sensor.gain@mass.acc.z"), answer("unexplained", List.of(), List.of())),
                 mixed(Group.RIG, "", true, truth(), answer("missing-physics", names("sensor.gain@mass.acc.z"), List.of())),
                 mixed(Group.RIG, "", false, truth(), answer("parameters-only", List.of(), List.of())),
                 mixed(Group.RIG, "open.damping.eddy", false, open, learned("ground-mass")),
                 mixed(Group.LEVELS, "hysteresis", false, truth("hysteresis@seat-torso"), ProofAnswer.refused("too short", 1)));
-        assertEquals(List.of(Mark.RIGHT, Mark.UNKNOWN, Mark.WRONG, Mark.RIGHT, Mark.RIGHT, Mark.FAILED), all.stream().map(Marking::mark).toList());
+        assertEquals(List.of(Mark.RIGHT, Mark.UNKNOWN, Mark.WRONG, Mark.RIGHT, Mark.RIGHT, Mark.FAILED),
+                all.stream().map(Marking::mark).toList());
         String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
-        for (String line : List.of("| rig: mechanism and place | 1 (50 %) | 2 |", "| rig: mechanism and place or a set with it, laws | 1 (100 %) | 1 |",
-                "| rig: mechanism and place or a set with it, sensors | 0 (0 %) | 1 |", "| rig: alarms on nulls, values exact | 1 (100 %) | 1 |",
+        for (String line : List.of("| rig: mechanism and place | 1 (50 %) | 2 |",
+                "| rig: mechanism and place or a set with it, laws | 1 (100 %) | 1 |",
+                "| rig: mechanism and place or a set with it, sensors | 0 (0 %) | 1 |",
+                "| rig: alarms on nulls, values exact | 1 (100 %) | 1 |",
                 "| rig: alarms on nulls, values off | 0 (0 %) | 1 |", "| rig: not in the library, a law was learned | 1 (100 %) | 1 |",
                 "| levels: mechanism and place | 0 (0 %) | 1 |", "| levels: refused or no answer | 1 (100 %) | 1 |")) {
             assertTrue(text.contains(line), line + "\nnot in\n" + text);
@@ -241,7 +255,10 @@ class MarkingTest {
     }
 
     private static Marking mixed(Group group, String word, boolean exact, Truth truth, ProofAnswer answer) {
-        return Marking.of(new Suite.Question("575", group, new ConcealedSpec("575", word.isEmpty() ? List.of() : List.of(word), 1, Setting.BENCH, exact, 1)), truth,
+        return Marking.of(
+                new Suite.Question("575", group,
+                        new ConcealedSpec("575", word.isEmpty() ? List.of() : List.of(word), 1, Setting.BENCH, exact, 1)),
+                truth,
                 answer);
     }
 
@@ -275,9 +292,9 @@ class MarkingTest {
     void tablesCountWhatWasMarked() {
         List<Marking> all = List.of(
                 mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("hysteresis@seat-torso"),
-                List.of())),
+                        List.of())),
                 mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("drift.slow@seat-torso"),
-                List.of())),
+                        List.of())),
                 mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())),
                 mark(Group.NOTHING, truth(), answer("missing-physics", names("drift.slow@seat-torso"), List.of())));
         String text = new Tables(Map.of("command", "wbv prove"), all).markdown();

@@ -105,7 +105,8 @@ class ProofTest {
         List<Suite.Question> mixed = Suite.full(1).only("rig,planar,levels").questions();
         assertEquals(Suite.full(1).part(575, 665).questions(), mixed);
         assertEquals("575", mixed.get(0).id());
-        for (Map.Entry<Suite.Group, Integer> each : Map.of(Suite.Group.RIG, 36, Suite.Group.PLANAR, 33, Suite.Group.LEVELS, 22).entrySet()) {
+        for (Map.Entry<Suite.Group, Integer> each : Map.of(Suite.Group.RIG, 36, Suite.Group.PLANAR, 33, Suite.Group.LEVELS, 22)
+                .entrySet()) {
             List<Suite.Question> group = Suite.full(1).only(each.getKey().name().toLowerCase()).questions();
             assertEquals(each.getValue(), group.size());
             for (boolean exact : new boolean[] {true, false}) {
@@ -134,7 +135,8 @@ class ProofTest {
                 missed += (simulated[o][i] - sent[i]) * (simulated[o][i] - sent[i]);
                 all += sent[i] * sent[i];
             }
-            assertTrue(Math.sqrt(missed / all) < noise, model.outputs().get(o) + " misses " + Math.sqrt(missed / all) + " of " + made.key());
+            assertTrue(Math.sqrt(missed / all) < noise,
+                    model.outputs().get(o) + " misses " + Math.sqrt(missed / all) + " of " + made.key());
         }
     }
 
@@ -143,7 +145,7 @@ class ProofTest {
     @Test
     void levelsAreFittedTogetherAndProvenOnTheThird(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 30)));
-        Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run();
+        Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> {}).run();
         try (Stream<Path> files = Files.list(folder.resolve("cases/576"))) {
             assertEquals(List.of("proof.csv.gz", "recording.csv.gz", "with.csv.gz"), files.map(file -> file.getFileName().toString())
                     .filter(name -> name.endsWith(".gz")).sorted().toList());
@@ -175,7 +177,7 @@ class ProofTest {
     void theForceOfAnOpenLawIsSealedBesideItsKey(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("521", Suite.Group.OPEN,
                 new ConcealedSpec("521", List.of("open.stiffness.bolster"), 1, Setting.FIELD, false, 6))));
-        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> { });
+        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> {});
         proof.conceal();
         try (Stream<Path> files = Files.walk(folder)) {
             assertEquals(List.of("521.force.sealed", "521.sealed"), files.map(file -> file.getFileName().toString())
@@ -197,7 +199,7 @@ class ProofTest {
     void unrelatedRecordingsAreAskedWithAReasonForAnAnswer(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of("unrelated.ride", "unrelated.rest").stream().map(kind -> new Suite.Question(kind,
                 Suite.Group.UNRELATED, new ConcealedSpec(kind, List.of(kind), 1, Setting.FIELD, true, 11))).toList());
-        Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run();
+        Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> {}).run();
         assertTrue(tables.summary().contains("| all: nothing is missing, or only values | 0 (0 %) | 2 |"), tables.summary());
         assertTrue(tables.summary().contains("| all: any mechanism named | 0 (0 %) | 2 |"), tables.summary());
         assertEquals(100, Suite.unrelated(1).questions().size());
@@ -212,7 +214,7 @@ class ProofTest {
     void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,
                 new ConcealedSpec("001", List.of(), 1, Setting.FIELD, true, 6))));
-        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> { });
+        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> {});
         String first = proof.run().json();
         assertTrue(first.contains("\"mark\""), first);
         try (Stream<Path> files = Files.walk(folder.resolve("cases"))) {
@@ -224,7 +226,7 @@ class ProofTest {
         assertTrue(Files.readString(folder.resolve("ledger.csv")).contains("001," + Vault.sha256(key)));
         Path answer = folder.resolve("cases/001/answer.json");
         String before = Files.readString(answer);
-        assertEquals(first, new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run().json());
+        assertEquals(first, new Proof(suite, 6, folder, Map.of(), (what, share) -> {}).run().json());
         assertEquals(before, Files.readString(answer));
         // What a failing disk leaves: an empty key and a cut answer are made again, the same.
         String sealed = Files.readString(folder.resolve("keys/001.sealed"));
@@ -239,7 +241,7 @@ class ProofTest {
             assertFalse(proof.open().json().contains("\"mark\""));
         }
         Files.writeString(answer, before);
-        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, Map.of(), (what, share) -> { }).run());
+        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, Map.of(), (what, share) -> {}).run());
         assertTrue(other.getMessage().contains("another proof"), other.getMessage());
     }
 

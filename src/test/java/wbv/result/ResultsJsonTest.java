@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ResultsJsonTest {
 
     private record Results(String zeta, double alpha, Optional<String> none, OptionalDouble rate, double[] track,
-                           Map<String, Double> means) { }
+            Map<String, Double> means) {}
 
     @Test
     void everyKindOfValueHasItsOneForm() throws IOException {

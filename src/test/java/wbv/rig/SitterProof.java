@@ -17,7 +17,7 @@ final class SitterProof {
     private static final Effects LINEAR = Effects.USUAL.without(Effect.SOFTENING);
     private static final int Z = 2;
 
-    private SitterProof() { }
+    private SitterProof() {}
 
     public static void main(String[] args) {
         if (args[0].equals("regimes")) {

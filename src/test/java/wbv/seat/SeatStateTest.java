@@ -76,7 +76,7 @@ class SeatStateTest {
     @Test
     void aStateOfAnotherSeatOrPlanIsRefused() {
         Seat seat = new Seat("a", Seats.plan(Method.EKF, false));
-        Seats.packets("a", 30, 6, 1).forEach(packet -> seat.accept(packet, each -> { }));
+        Seats.packets("a", 30, 6, 1).forEach(packet -> seat.accept(packet, each -> {}));
         byte[] state = StateWriter.of(seat);
         refused("b", Method.EKF, state, "it is of seat 'a', not 'b'");
         refused("a", Method.EKF_ADWIN, state, "saved state of something else");
@@ -100,7 +100,7 @@ class SeatStateTest {
     @Test
     void aSeatIsSmall() {
         Seat seat = new Seat("a", Seats.plan(Method.EKF_ADWIN, false));
-        Seats.packets("a", 600, 6, 1).forEach(packet -> seat.accept(packet, each -> { }));
+        Seats.packets("a", 600, 6, 1).forEach(packet -> seat.accept(packet, each -> {}));
         int bytes = StateWriter.of(seat).length;
         assertTrue(bytes < 10_000, bytes + " bytes");
     }

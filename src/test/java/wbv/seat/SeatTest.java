@@ -200,9 +200,9 @@ class SeatTest {
     @Test
     void aPacketOfAnotherPlanIsRefused() {
         Seat seat = new Seat("a", plan());
-        assertEquals(Taken.REFUSED, seat.accept(new Packet("b", 0, 0, RATE, 2, new double[2]), each -> { }));
-        assertEquals(Taken.REFUSED, seat.accept(new Packet("a", 0, 0, RATE, 1, new double[2]), each -> { }));
-        assertEquals(Taken.REFUSED, seat.accept(new Packet("a", 0, 0, 100, 2, new double[2]), each -> { }));
+        assertEquals(Taken.REFUSED, seat.accept(new Packet("b", 0, 0, RATE, 2, new double[2]), each -> {}));
+        assertEquals(Taken.REFUSED, seat.accept(new Packet("a", 0, 0, RATE, 1, new double[2]), each -> {}));
+        assertEquals(Taken.REFUSED, seat.accept(new Packet("a", 0, 0, 100, 2, new double[2]), each -> {}));
         assertEquals(3, seat.losses().refused());
     }
 

@@ -18,7 +18,7 @@ final class Seats {
     static final List<Channel> CHANNELS = Stream.of("seat.acc.x", "seat.acc.y", "seat.acc.z", "seat.gyr.x", "seat.gyr.y",
             "head.acc.z").map(Channel::parse).toList();
 
-    private Seats() { }
+    private Seats() {}
 
     /** A plan with everything in it: a body, three axes, states. */
     static SeatPlan plan(Method method, boolean boxcar) {

@@ -32,7 +32,7 @@ class AttitudeTest {
             double pitch = 0.1 + 0.15 * Math.sin(w * t);
             double before = 0.1 + 0.15 * Math.sin(w * (t - 1 / RATE));
             double[] world = {0.8 * Math.sin(2 * Math.PI * 2 * t), 0.5 * Math.cos(2 * Math.PI * 3.1 * t),
-                    Math.sin(2 * Math.PI * 5 * t)};
+                Math.sin(2 * Math.PI * 5 * t)};
             Orientation truth = Orientation.of(Math.cos(pitch / 2), 0, Math.sin(pitch / 2), 0);
             double[] specific = {world[0], world[1], world[2] + G};
             truth.inward(specific, specific);

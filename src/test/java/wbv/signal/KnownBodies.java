@@ -16,9 +16,9 @@ final class KnownBodies {
     static final double[][] ALLEN = {{50.2, 74_300, 2807}, {5.5, 41_000, 318}};
     /** Boileau and Rakheja 1998, four masses in series. */
     static final double[][] BOILEAU = {{12.78, 90_000, 2064}, {8.62, 162_800, 4585}, {28.49, 183_000, 4750}, {5.31, 310_000,
-            400}};
+        400}};
 
-    private KnownBodies() { }
+    private KnownBodies() {}
 
     /** A response: real and imaginary part at a frequency [Hz]. */
     interface Response {

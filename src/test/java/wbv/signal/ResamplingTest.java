@@ -70,7 +70,7 @@ class ResamplingTest {
         double[] whole = BandlimitedResampler.resample(signal, 2, 1);
         signal[500] = Double.NaN;
         double[] holed = BandlimitedResampler.resample(signal, 2, 1);
-        int reach = new BandlimitedResampler(2, 1, value -> { }).delay();
+        int reach = new BandlimitedResampler(2, 1, value -> {}).delay();
         assertEquals(Double.NaN, holed[1000]);
         assertArrayEquals(Arrays.copyOf(whole, 2 * (500 - reach)), Arrays.copyOf(holed, 2 * (500 - reach)));
         assertEquals(whole[2 * (500 + reach)], holed[2 * (500 + reach)]);
@@ -105,7 +105,7 @@ class ResamplingTest {
         assertEquals(7, Upsampler.reaching(60, 400).factor());
         assertEquals(1, Upsampler.reaching(500, 400).factor());
         assertThrows(IllegalArgumentException.class, () -> Upsampler.reaching(0, 400));
-        assertThrows(IllegalArgumentException.class, () -> new BandlimitedResampler(0, 1, value -> { }));
+        assertThrows(IllegalArgumentException.class, () -> new BandlimitedResampler(0, 1, value -> {}));
     }
 
     private static double[] sine(int length, double frequency) {

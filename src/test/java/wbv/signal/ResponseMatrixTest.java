@@ -296,13 +296,13 @@ class ResponseMatrixTest {
     }
 
     private static ResponseMatrix respond(double[][] x, double[][] gain, double inputNoise, double outputNoise, Random random,
-                                          double[][] acting) {
+            double[][] acting) {
         return respond(x, gain, inputNoise, new double[] {outputNoise, outputNoise, outputNoise}, random, acting);
     }
 
     /** @param x inputs that are measured @param acting inputs that act */
     private static ResponseMatrix respond(double[][] x, double[][] gain, double inputNoise, double[] outputNoise, Random random,
-                                          double[][] acting) {
+            double[][] acting) {
         double[][] records = new double[x.length + gain.length][];
         for (int i = 0; i < x.length; i++) {
             records[i] = KnownBodies.record(x[i], inputNoise, random);

@@ -15,7 +15,7 @@ public final class ResponseProof {
     private static final int LENGTH = 1 << 16;
     private static final int SEGMENT = 1024;
 
-    private ResponseProof() { }
+    private ResponseProof() {}
 
     public static void main(String[] arguments) {
         int draws = arguments.length > 0 ? Integer.parseInt(arguments[0]) : 40;

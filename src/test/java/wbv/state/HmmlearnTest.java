@@ -71,7 +71,7 @@ class HmmlearnTest {
         JsonNode oracle = stored.get(kind);
         JsonNode fitted = oracle.get("fitted").get(index);
         BaumWelch.Result result = new BaumWelch(fitted.get("rounds").asInt(), 0, 0, shape(kind), 1e-12)
-                .fit(model(kind, oracle.get("start")), sequences(), share -> { });
+                .fit(model(kind, oracle.get("start")), sequences(), share -> {});
         HiddenMarkov expected = model(kind, fitted);
         HiddenMarkov found = result.model();
         assertEquals(fitted.get("log_likelihood").asDouble(), result.history().get(result.history().size() - 1), EXACT);

@@ -56,7 +56,7 @@ class StateRunsTest {
         for (String file : List.of(TRAIN, "data/arff/states-bare.arff")) {
             training.add(file, recording(file), TrueStates.beside(Path.of(file), Thresholds.USUAL));
         }
-        String trained = StateModelFile.text(training.finish(StateTraining.Mixing.MESSAGE_LENGTH, 1, share -> { }), Map.of());
+        String trained = StateModelFile.text(training.finish(StateTraining.Mixing.MESSAGE_LENGTH, 1, share -> {}), Map.of());
         try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
             String shipped = new String(in.readAllBytes(), StandardCharsets.UTF_8);
             assertEquals(bare(trained), bare(shipped));

@@ -43,9 +43,9 @@ public final class StatesProof {
     private static final List<String> SHIPPED = List.of("data/arff/states-train.arff", "data/arff/states-bare.arff");
     private static final String CHANNELS = " channels=seat.acc.z,head.acc.z,seat.gyr.x,seat.gyr.y";
 
-    private StatesProof() { }
+    private StatesProof() {}
 
-    private record Ride(int regime, String name, Recording recording, TrueStates truth) { }
+    private record Ride(int regime, String name, Recording recording, TrueStates truth) {}
 
     /** What was told. */
     private record Told(Confusion all, Confusion live, Confusion plain, List<Reliability> forecasts) {
@@ -140,7 +140,8 @@ public final class StatesProof {
                 System.out.printf(Locale.ROOT, "| %s | %.0f ms | %.3f | %.1f %% | %.0f %% | %.1f %% |%n", name,
                         1000 * StateTrack.HORIZONS[h], forecast.area(), 100 * forecast.calibrationError(),
                         100 * forecast.bins().stream().filter(bin -> bin.count() >= 500)
-                                .mapToDouble(bin -> Math.abs(bin.said() - bin.came())).max().orElse(0), 100 * forecast.base());
+                                .mapToDouble(bin -> Math.abs(bin.said() - bin.came())).max().orElse(0),
+                        100 * forecast.base());
             }
         });
     }
@@ -178,15 +179,15 @@ public final class StatesProof {
         told(table, "thresholds alone", held, features, row -> PhysicalLabels.of(row, Thresholds.USUAL));
         double[][] rows = Rows.thinned(training.sequences(), 3000);
         clusters(table, "normal mixture of 10 (the thesis' GMM)", held, training, truth, features,
-                MessageLength.USUAL.between(COMPONENTS, COMPONENTS).fit(rows, new Well19937c(1), share -> { }).mixture());
+                MessageLength.USUAL.between(COMPONENTS, COMPONENTS).fit(rows, new Well19937c(1), share -> {}).mixture());
         weka(table, held, training, truth, features, rows);
         clusters(table, "mixture by message length", held, training, truth, features,
-                MessageLength.USUAL.fit(rows, new Well19937c(1), share -> { }).mixture());
+                MessageLength.USUAL.fit(rows, new Well19937c(1), share -> {}).mixture());
         clusters(table, "Dirichlet-process mixture", held, training, truth, features,
-                DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(1), share -> { }));
+                DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(1), share -> {}));
         for (StateTraining.Mixing mixing : List.of(StateTraining.Mixing.MESSAGE_LENGTH, StateTraining.Mixing.DIRICHLET)) {
-            chain(table, "hidden Markov model (" + mixing + "), named by thresholds", held, unlabelled.finish(mixing, 1, share -> { }));
-            chain(table, "hidden Markov model (" + mixing + "), named by the truth", held, training.finish(mixing, 1, share -> { }));
+            chain(table, "hidden Markov model (" + mixing + "), named by thresholds", held, unlabelled.finish(mixing, 1, share -> {}));
+            chain(table, "hidden Markov model (" + mixing + "), named by the truth", held, training.finish(mixing, 1, share -> {}));
         }
         System.out.println("| method | accuracy | macro-F1 | accuracy live |\n|---|---|---|---|");
         table.forEach((name, told) -> System.out.printf(Locale.ROOT, "| %s | %.1f %% | %.2f | %s |%n", name,
@@ -232,8 +233,8 @@ public final class StatesProof {
             }
         }
         MotionState[] names = new MotionState[clusters];
-        Arrays.setAll(names, c -> Arrays.stream(MotionState.values()).max((a, b) ->
-                Integer.compare(counts[c][a.ordinal()], counts[c][b.ordinal()])).orElseThrow());
+        Arrays.setAll(names, c -> Arrays.stream(MotionState.values())
+                .max((a, b) -> Integer.compare(counts[c][a.ordinal()], counts[c][b.ordinal()])).orElseThrow());
         return names;
     }
 

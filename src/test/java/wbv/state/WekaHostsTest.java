@@ -124,7 +124,7 @@ class WekaHostsTest {
         private final transient AtomicReference<Object> kept = new AtomicReference<>();
 
         @Override
-        public void stepInit() { }
+        public void stepInit() {}
 
         @Override
         public void processIncoming(Data data) {
@@ -153,7 +153,8 @@ class WekaHostsTest {
         Clusterer learn = new Clusterer();
         learn.setClusterer(few());
         Keeper keeper = new Keeper();
-        StepManagerImpl[] steps = {new StepManagerImpl(load), new StepManagerImpl(new TrainingSetMaker()), new StepManagerImpl(learn), new StepManagerImpl(keeper)};
+        StepManagerImpl[] steps = {new StepManagerImpl(load), new StepManagerImpl(new TrainingSetMaker()), new StepManagerImpl(learn),
+            new StepManagerImpl(keeper)};
         String[] connections = {StepManager.CON_DATASET, StepManager.CON_TRAININGSET, StepManager.CON_BATCH_CLUSTERER};
         Flow flow = new Flow();
         for (StepManagerImpl step : steps) {

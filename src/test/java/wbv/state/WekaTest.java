@@ -110,7 +110,7 @@ class WekaTest {
         StateTraining training = new StateTraining(FeatureSpec.of(60, "seat", "head", recording.channels(), "states-train.arff"),
                 Thresholds.USUAL);
         training.add("states-train.arff", recording);
-        StateModel model = training.finish(StateTraining.Mixing.SINGLE, 1, share -> { });
+        StateModel model = training.finish(StateTraining.Mixing.SINGLE, 1, share -> {});
         return new StateTrack(model, "ride", RigSpec.parse("subject=2 excitation=ride:1 seconds=90 seed=3 "
                 + "channels=seat.acc.z,head.acc.z,seat.gyr.x,seat.gyr.y").recording());
     }

@@ -43,7 +43,8 @@ class DampingTestTest {
                 double floor = level * Math.sin(phase);
                 double force = -STIFFNESS * deflection - damping * rate - friction * Math.tanh(rate / 1e-3);
                 if (i % FINER == 0) {
-                    out.printf(Locale.ROOT, "%.4f,%.5f,%.5f%n", i * step, floor + 0.02 * random.nextGaussian(), force / MASS + 0.02 * random.nextGaussian());
+                    out.printf(Locale.ROOT, "%.4f,%.5f,%.5f%n", i * step, floor + 0.02 * random.nextGaussian(),
+                            force / MASS + 0.02 * random.nextGaussian());
                 }
                 rate += step * (force / MASS - floor);
                 deflection += step * rate;

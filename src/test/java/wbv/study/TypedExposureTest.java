@@ -29,7 +29,8 @@ class TypedExposureTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.5, 100, 480, above the action value", "1.15, 529, 90.74, above the limit value", "0.499, 99.6, 481.93, below the action value"})
+    @CsvSource({"0.5, 100, 480, above the action value", "1.15, 529, 90.74, above the limit value",
+        "0.499, 99.6, 481.93, below the action value"})
     void eightHoursAtAValueAreItsPoints(double magnitude, double points, double minutes, String verdict) {
         TypedExposure.Results found = of(new TypedExposure.Spell(Map.of(SeatAxis.Z, magnitude), 8));
         assertEquals(magnitude, found.a8(), 1e-12);

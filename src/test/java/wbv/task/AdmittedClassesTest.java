@@ -73,7 +73,8 @@ class AdmittedClassesTest {
     static List<Object> refused() {
         Comparator<String> lambda = (Comparator<String> & Serializable) String::compareTo;
         InvocationHandler handler = (InvocationHandler & Serializable) (proxy, method, arguments) -> null;
-        return List.of(new ArrayRealVector(3), new TreeMap<>(lambda), new ArrayList<>(Collections.singletonList(new java.net.InetAddress[0])),
+        return List.of(new ArrayRealVector(3), new TreeMap<>(lambda),
+                new ArrayList<>(Collections.singletonList(new java.net.InetAddress[0])),
                 Proxy.newProxyInstance(Comparator.class.getClassLoader(), new Class<?>[] {Comparator.class}, handler));
     }
 

@@ -38,7 +38,8 @@ class HostListsTest {
 
     /** The names in MOA's lists. */
     private static Set<String> listed() {
-        return Arrays.stream(AutoClassDiscovery.findClassNames("moa")).filter(name -> name.contains(".wbv.") && !name.endsWith("package-info"))
+        return Arrays.stream(AutoClassDiscovery.findClassNames("moa"))
+                .filter(name -> name.contains(".wbv.") && !name.endsWith("package-info"))
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
@@ -53,7 +54,8 @@ class HostListsTest {
     /** Classes of a package of ours that MOA can list; a stand-in that hears nothing is none. */
     private static Stream<Class<?>> listable(String room) {
         try (Stream<Path> files = Files.list(Path.of("src/main/java/wbv", room))) {
-            return files.map(file -> file.getFileName().toString().replace(".java", "")).filter(name -> !name.equals("package-info") && !name.equals("Deaf"))
+            return files.map(file -> file.getFileName().toString().replace(".java", ""))
+                    .filter(name -> !name.equals("package-info") && !name.equals("Deaf"))
                     .<Class<?>>map(name -> named("wbv." + room + "." + name)).toList().stream()
                     .filter(type -> Modifier.isPublic(type.getModifiers()) && !Modifier.isAbstract(type.getModifiers()))
                     .filter(type -> LISTED.stream().anyMatch(kind -> kind.isAssignableFrom(type)));

@@ -48,7 +48,7 @@ class MeasureExposureTest {
         LearningCurve curve = curve("wbv.task.MeasureExposure -e 10 -m 240 -s (wbv.stream.RecordingStream -f " + RIDE
                 + " -i seat.acc.x,seat.acc.y -o seat.acc.z)");
         SeatMeasurement exact = SeatMeter.measure(new RecordingFile(Path.of(RIDE)),
-                new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), share -> { });
+                new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), share -> {});
         int last = curve.numEntries() - 1;
         for (SeatAxis axis : SeatAxis.values()) {
             Vibration expected = exact.axes().get(axis);

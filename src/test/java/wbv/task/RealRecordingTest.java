@@ -80,9 +80,10 @@ class RealRecordingTest {
 
     /** Median over blocks of the mean of a column: what holds most of the time, whatever happens at changes. */
     private static double medianOfBlocks(List<double[]> tracks, int column, int length) {
-        double[] means = IntStream.range(0, tracks.size() / length).mapToDouble(block ->
-                tracks.subList(block * length, (block + 1) * length).stream().mapToDouble(row -> row[column])
-                        .filter(Double::isFinite).average().orElse(Double.NaN)).sorted().toArray();
+        double[] means = IntStream.range(0, tracks.size() / length)
+                .mapToDouble(block -> tracks.subList(block * length, (block + 1) * length).stream().mapToDouble(row -> row[column])
+                        .filter(Double::isFinite).average().orElse(Double.NaN))
+                .sorted().toArray();
         return means[means.length / 2];
     }
 }

@@ -14,7 +14,7 @@ final class Checkpoints {
     private static final String NAME = "chk-";
     private static final String WHOLE = "_metadata";
 
-    private Checkpoints() { }
+    private Checkpoints() {}
 
     /** The newest that is whole. @param folder of one folder for each job, the jobs of one run one after the other */
     static Optional<Path> newest(Path folder) throws IOException {

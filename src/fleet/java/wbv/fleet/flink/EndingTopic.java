@@ -41,13 +41,14 @@ final class EndingTopic<T> implements Source<T, KafkaPartitionSplit, KafkaSource
     }
 
     @Override
-    public SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> createEnumerator(SplitEnumeratorContext<KafkaPartitionSplit> context) {
+    public SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> createEnumerator(
+            SplitEnumeratorContext<KafkaPartitionSplit> context) {
         return topic.createEnumerator(context);
     }
 
     @Override
     public SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> restoreEnumerator(SplitEnumeratorContext<KafkaPartitionSplit> context,
-                                                                                        KafkaSourceEnumState state) throws IOException {
+            KafkaSourceEnumState state) throws IOException {
         SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> restored = topic.restoreEnumerator(context, state);
         return state.initialDiscoveryFinished() ? new AllFound(restored, context) : restored;
     }
@@ -69,7 +70,7 @@ final class EndingTopic<T> implements Source<T, KafkaPartitionSplit, KafkaSource
 
     /** Every reader is given what is its, and told that this is all. */
     private record AllFound(SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> restored,
-                            SplitEnumeratorContext<KafkaPartitionSplit> context) implements SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> {
+            SplitEnumeratorContext<KafkaPartitionSplit> context) implements SplitEnumerator<KafkaPartitionSplit, KafkaSourceEnumState> {
 
         @Override
         public void start() {

@@ -54,7 +54,7 @@ public final class FleetJob {
     /** Of seats that are replayed; a machine takes one after the other. */
     private static final int BLOCKS = 8;
 
-    private FleetJob() { }
+    private FleetJob() {}
 
     /**
      * Hands the job in. Arguments: file of the order, folder for the parts, parallelism, time between checkpoints [ms], host, port,
@@ -72,8 +72,8 @@ public final class FleetJob {
             settings.set(DeploymentOptions.ATTACHED, true);
             settings.set(DeploymentOptions.SHUTDOWN_IF_ATTACHED, true);
             settings.set(ClientOptions.CLIENT_HEARTBEAT_TIMEOUT, DEAF);
-            StreamExecutionEnvironment environment =
-                    StreamExecutionEnvironment.createRemoteEnvironment(words[4], Integer.parseInt(words[5]), settings, jars);
+            StreamExecutionEnvironment environment = StreamExecutionEnvironment.createRemoteEnvironment(words[4],
+                    Integer.parseInt(words[5]), settings, jars);
             if (FleetOrder.of(order).source() instanceof FleetSource.Topic topic) {
                 Topics.prepare(topic);
             }
@@ -115,7 +115,8 @@ public final class FleetJob {
                     "models").setParallelism(1).uid("models");
             send(follow(from(environment, Topics.packets(topic), "packets").uid("packets"), Optional.of(models), fleet), topic);
         } else if (fleet.source() instanceof FleetSource.Packets given) {
-            write(follow(from(environment, new PacketFileSource(given.files()), "files").setParallelism(1).uid("files"), Optional.empty(), fleet), parts);
+            write(follow(from(environment, new PacketFileSource(given.files()), "files").setParallelism(1).uid("files"), Optional.empty(),
+                    fleet), parts);
         } else {
             write(follow(from(environment, new ReplaySource(order, BLOCKS), "replay").uid("replay"), Optional.empty(), fleet), parts);
         }
@@ -129,7 +130,7 @@ public final class FleetJob {
 
     /** Rows of what is found out. */
     record Told(DataStream<String> results, DataStream<String> alarms, DataStream<String> machines, DataStream<String> worst,
-                DataStream<String> unread) { }
+            DataStream<String> unread) {}
 
     /**
      * What is done with packets.
@@ -137,7 +138,8 @@ public final class FleetJob {
      * @param packets with their places
      * @param models  of states that come while the job runs: number, sensors' time from which it holds [s], text
      */
-    static Told follow(DataStream<Tuple2<Long, byte[]>> packets, Optional<DataStream<Tuple3<Long, Double, String>>> models, FleetOrder fleet) {
+    static Told follow(DataStream<Tuple2<Long, byte[]>> packets, Optional<DataStream<Tuple3<Long, Double, String>>> models,
+            FleetOrder fleet) {
         byte[] order = fleet.follow().bytes();
         double rate = fleet.follow().rate();
         String header = new ResultRows(fleet.follow().plan()).header();

@@ -35,7 +35,7 @@ public final class FlinkEngine implements FleetEngine {
 
     @Override
     public void local(FleetOrder order, int machines, double between, Path out, Consumer<String> tell) throws IOException {
-        local(order, machines, between, out, tell, cluster -> { });
+        local(order, machines, between, out, tell, cluster -> {});
     }
 
     /** @param see shown the cluster now and then while the job runs */
@@ -60,7 +60,8 @@ public final class FlinkEngine implements FleetEngine {
             throw DataFault.in(address, "the cluster has no free slot; wait for its other jobs, or give it more workers");
         }
         ClassPaths classes = ClassPaths.here();
-        run(order, between, out, tell, (processes, parts) -> submit(processes, classes, classes.all(), parts, rest, free, between, () -> { }));
+        run(order, between, out, tell,
+                (processes, parts) -> submit(processes, classes, classes.all(), parts, rest, free, between, () -> {}));
     }
 
     private interface Work {
@@ -132,7 +133,7 @@ public final class FlinkEngine implements FleetEngine {
     }
 
     private static void submit(Processes processes, ClassPaths classes, List<Path> jars, Path parts, RestPort rest, int parallelism,
-                               double between, Meanwhile meanwhile) throws IOException, InterruptedException {
+            double between, Meanwhile meanwhile) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("-Xmx512m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", classes.client(),
                 FleetJob.class.getName(), parts.resolve("order").toString(), parts.toString(), String.valueOf(parallelism),
                 String.valueOf(Math.round(1000 * between)), rest.host(), String.valueOf(rest.port())));

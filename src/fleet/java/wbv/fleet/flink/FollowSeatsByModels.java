@@ -20,7 +20,8 @@ import wbv.recording.DataFault;
  * holds; a seat goes by the one with the highest number that holds at its packet, and never back to an older one. It is sent before
  * its time: then results do not depend on when it came.
  */
-final class FollowSeatsByModels extends KeyedBroadcastProcessFunction<String, Tuple3<Long, String, byte[]>, Tuple3<Long, Double, String>, String> {
+final class FollowSeatsByModels
+        extends KeyedBroadcastProcessFunction<String, Tuple3<Long, String, byte[]>, Tuple3<Long, Double, String>, String> {
 
     /** Number of a model, from when it holds [s], and its text. */
     static final MapStateDescriptor<Long, Tuple2<Double, String>> MODELS = new MapStateDescriptor<>("models", Types.LONG,
@@ -37,7 +38,8 @@ final class FollowSeatsByModels extends KeyedBroadcastProcessFunction<String, Tu
 
     @Override
     public void open(OpenContext context) {
-        follower = new Follower(order, getRuntimeContext().getState(new ValueStateDescriptor<>(FollowSeats.STATE, new SeatSerializer(order))));
+        follower = new Follower(order,
+                getRuntimeContext().getState(new ValueStateDescriptor<>(FollowSeats.STATE, new SeatSerializer(order))));
     }
 
     @Override
@@ -60,7 +62,8 @@ final class FollowSeatsByModels extends KeyedBroadcastProcessFunction<String, Tu
 
     @Override
     public void processElement(Tuple3<Long, String, byte[]> sent, ReadOnlyContext context, Collector<String> out) throws Exception {
-        if (follower.accept(sent.f0, sent.f1, sent.f2, new Sent(context.getBroadcastState(MODELS)), new Follower.Told(out, context::output))) {
+        if (follower.accept(sent.f0, sent.f1, sent.f2, new Sent(context.getBroadcastState(MODELS)),
+                new Follower.Told(out, context::output))) {
             context.timerService().registerEventTimeTimer(Long.MAX_VALUE);
         }
     }

@@ -18,7 +18,7 @@ import wbv.recording.AtomicFile;
 /** The parts that machines wrote, as the files that one process writes: the same rows in the same order. */
 final class Gathered {
 
-    private Gathered() { }
+    private Gathered() {}
 
     /**
      * Writes one file.

@@ -9,7 +9,7 @@ import org.apache.flink.runtime.zookeeper.FlinkZooKeeperQuorumPeer;
 /** A process of a cluster of our own. It ends with the one that started it, however that ended: its standard input ends then. */
 public final class Machine {
 
-    private Machine() { }
+    private Machine() {}
 
     /** Arguments: keeper, jobmanager or taskmanager, then their own. */
     public static void main(String[] words) throws Exception {

@@ -21,7 +21,7 @@ final class Rows {
     /** Place behind all packets, under which is told what seats still hold then. */
     static final long END = place(Long.MAX_VALUE >>> PACKETS, 0);
 
-    private Rows() { }
+    private Rows() {}
 
     /**
      * Where a packet stands.

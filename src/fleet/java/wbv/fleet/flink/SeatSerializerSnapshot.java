@@ -19,7 +19,7 @@ public final class SeatSerializerSnapshot implements TypeSerializerSnapshot<Kept
     private byte[] order = {};
 
     /** For Flink, which reads it then. */
-    public SeatSerializerSnapshot() { }
+    public SeatSerializerSnapshot() {}
 
     SeatSerializerSnapshot(byte[] order) {
         this.order = order;

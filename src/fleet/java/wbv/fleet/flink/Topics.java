@@ -42,7 +42,7 @@ final class Topics {
     /** Longer than any outage that is survived, and no longer than brokers allow unless they are told otherwise [ms]. */
     private static final String LONGEST_TRANSACTION = String.valueOf(15 * 60_000);
 
-    private Topics() { }
+    private Topics() {}
 
     /** Makes those topics that are not there. That of the models has one partition: models have an order. */
     static void prepare(FleetSource.Topic topic) throws ExecutionException, InterruptedException {
@@ -88,7 +88,8 @@ final class Topics {
         settings.setProperty(ProducerConfig.TRANSACTION_TIMEOUT_CONFIG, LONGEST_TRANSACTION);
         return KafkaSink.<String>builder().setBootstrapServers(topic.brokers()).setKafkaProducerConfig(settings)
                 .setDeliveryGuarantee(DeliveryGuarantee.EXACTLY_ONCE).setTransactionalIdPrefix("wbv-fleet-" + name(topic, what))
-                .setRecordSerializer(what.equals(MACHINES) || what.equals(WORST) ? new Tables(name(topic, what)) : new Told(name(topic, what)))
+                .setRecordSerializer(
+                        what.equals(MACHINES) || what.equals(WORST) ? new Tables(name(topic, what)) : new Told(name(topic, what)))
                 .build();
     }
 

@@ -60,8 +60,9 @@ final class Broker implements AutoCloseable {
                 group.initial.rebalance.delay.ms=0
                 """.formatted(ports.get(1), port, folder.resolve("data")));
         String classes = System.getProperty("java.class.path");
-        Process format = processes.start("format", List.of("-XX:TieredStopAtLevel=1", "-cp", classes, "kafka.tools.StorageTool", "format", "-t",
-                Uuid.randomUuid().toString(), "-c", settings.toString()));
+        Process format = processes.start("format",
+                List.of("-XX:TieredStopAtLevel=1", "-cp", classes, "kafka.tools.StorageTool", "format", "-t",
+                        Uuid.randomUuid().toString(), "-c", settings.toString()));
         if (!format.waitFor(PATIENCE, TimeUnit.MILLISECONDS) || format.exitValue() != 0) {
             throw new IOException("the broker's folder was not made: " + Files.readString(processes.log("format")));
         }
@@ -113,7 +114,8 @@ final class Broker implements AutoCloseable {
         settings.put("isolation.level", "read_committed");
         List<ConsumerRecord<byte[], byte[]>> all = new ArrayList<>();
         try (Admin admin = admin();
-                KafkaConsumer<byte[], byte[]> consumer = new KafkaConsumer<>(settings, new ByteArrayDeserializer(), new ByteArrayDeserializer())) {
+                KafkaConsumer<byte[],
+                        byte[]> consumer = new KafkaConsumer<>(settings, new ByteArrayDeserializer(), new ByteArrayDeserializer())) {
             List<TopicPartition> partitions = partitions(admin, topic);
             consumer.assign(partitions);
             consumer.seekToBeginning(partitions);

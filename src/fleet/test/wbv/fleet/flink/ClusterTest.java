@@ -37,7 +37,7 @@ class ClusterTest {
 
     private Path embedded(FleetOrder order) throws IOException {
         Path folder = temporary.resolve("embedded");
-        new FleetRun(order.replay(), order.follow().plan(), folder, 2, 1e9).run(share -> { });
+        new FleetRun(order.replay(), order.follow().plan(), folder, 2, 1e9).run(share -> {});
         return folder;
     }
 
@@ -71,7 +71,7 @@ class ClusterTest {
         assertTrue(kill.rows < 0.95 * Files.readAllLines(embedded.resolve("results.csv")).size(), kill.rows + " rows before the last kill");
     }
 
-    private static final class Stopped extends RuntimeException { }
+    private static final class Stopped extends RuntimeException {}
 
     /**
      * Kills with -9 when results are in files, and so a checkpoint is complete, and more are on their way: the JobManager, when there

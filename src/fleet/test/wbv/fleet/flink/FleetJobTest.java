@@ -94,7 +94,8 @@ class FleetJobTest {
         Path parts = temporary.resolve("parts");
         try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 500))) {
             FleetJob.write(FleetJob.follow(environment.fromData(sent,
-                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), Optional.empty(), order), parts);
+                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), Optional.empty(), order),
+                    parts);
             environment.execute();
         }
         List<Rows.Placed> unread = Gathered.rows(parts.resolve("unread"));
@@ -102,7 +103,7 @@ class FleetJobTest {
                 unread.stream().map(each -> each.row().substring(each.row().lastIndexOf(',') + 1)).sorted().toList());
         assertTrue(unread.stream().allMatch(each -> each.row().startsWith("\"")), "with the reason");
         Path embedded = temporary.resolve("embedded");
-        new FleetRun(replay, follow.plan(), embedded, 1, 1e9).run(share -> { });
+        new FleetRun(replay, follow.plan(), embedded, 1, 1e9).run(share -> {});
         Gathered.write(parts.resolve("results"), new ResultRows(follow.plan()).header(), temporary.resolve("results.csv"));
         assertArrayEquals(Files.readAllBytes(embedded.resolve("results.csv")), Files.readAllBytes(temporary.resolve("results.csv")));
     }
@@ -113,7 +114,8 @@ class FleetJobTest {
     }
 
     private void job(FleetOrder order, Path parts, int parallelism) throws Exception {
-        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(parallelism, FleetJob.settings(parts, 500))) {
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(parallelism,
+                FleetJob.settings(parts, 500))) {
             FleetJob.build(environment, order.bytes(), parts, parallelism);
             environment.execute();
         }
@@ -121,9 +123,9 @@ class FleetJobTest {
 
     private void assertSame(FleetOrder order, Path parts) throws Exception {
         Path embedded = temporary.resolve("embedded-" + parts.getFileName());
-        new FleetRun(order, order.follow().plan(), embedded, 1, 1e9).run(share -> { });
+        new FleetRun(order, order.follow().plan(), embedded, 1, 1e9).run(share -> {});
         Path out = Files.createDirectories(temporary.resolve("out-" + parts.getFileName()));
-        FlinkEngine.gather(order, parts, out, line -> { });
+        FlinkEngine.gather(order, parts, out, line -> {});
         try (Stream<Path> files = Files.list(embedded)) {
             for (Path file : files.toList()) {
                 assertEquals(-1, Files.mismatch(file, out.resolve(file.getFileName())), file.toString());
@@ -200,21 +202,24 @@ class FleetJobTest {
         Path parts = temporary.resolve("models");
         Slow.FAIL.set(false);
         try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 200))) {
-            DataStream<Tuple2<Long, byte[]>> packets = environment.fromData(sent, Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE)))
-                    .setParallelism(1).uid("packets");
+            DataStream<
+                    Tuple2<Long, byte[]>> packets = environment.fromData(sent, Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE)))
+                            .setParallelism(1).uid("packets");
             DataStream<Tuple3<Long, Double, String>> models = environment.fromData(List.of(
                     Tuple3.of(0L, from, StateModelFile.text(second, Map.of())), Tuple3.of(1L, 0.0, "no model")),
                     Types.TUPLE(Types.LONG, Types.DOUBLE, Types.STRING)).setParallelism(1).uid("models");
             FleetJob.write(FleetJob.follow(Slow.down(packets, 20), Optional.of(models), order), parts);
             JobClient job = environment.executeAsync();
-            while (Gathered.rows(parts.resolve("results")).stream().noneMatch(row -> Double.parseDouble(row.row().split(",")[1]) > from + 10)) {
+            while (Gathered.rows(parts.resolve("results")).stream()
+                    .noneMatch(row -> Double.parseDouble(row.row().split(",")[1]) > from + 10)) {
                 Thread.sleep(50);
             }
             Slow.FAIL.set(true);
             job.getJobExecutionResult().get();
         }
         assertFalse(Slow.FAIL.get(), "the job failed midway");
-        assertEquals(expected.stream().sorted().toList(), Gathered.rows(parts.resolve("results")).stream().map(row -> row.row()).sorted().toList());
+        assertEquals(expected.stream().sorted().toList(),
+                Gathered.rows(parts.resolve("results")).stream().map(row -> row.row()).sorted().toList());
         assertEquals(1, Gathered.rows(parts.resolve("unread")).size());
     }
 
@@ -236,10 +241,12 @@ class FleetJobTest {
                 told("b", 75, 0.3), told("a", 900, 0.6), told("d", 3, 0.9), told("a", 905, 0.7));
         List<String> tables = new ArrayList<>();
         Path folder = temporary.resolve("tables");
-        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1, FleetJob.settings(folder, 60_000))) {
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1,
+                FleetJob.settings(folder, 60_000))) {
             var machines = environment.fromData(sent, Types.TUPLE(Types.LONG, Types.LONG, Types.STRING)).uid("told")
                     .assignTimestampsAndWatermarks(WatermarkStrategy.<Tuple3<Long, Long, String>>forGenerator(context -> new AtEach())
-                            .withTimestampAssigner((each, before) -> each.f1)).uid("clock")
+                            .withTimestampAssigner((each, before) -> each.f1))
+                    .uid("clock")
                     .keyBy(each -> each.f0, Types.LONG).process(new TablesOfPeriods(header, 10, 60, 200_000), Types.STRING).uid("tables");
             try (var rows = machines.executeAndCollect()) {
                 rows.forEachRemaining(tables::add);
@@ -263,7 +270,7 @@ class FleetJobTest {
         }
 
         @Override
-        public void onPeriodicEmit(WatermarkOutput out) { }
+        public void onPeriodicEmit(WatermarkOutput out) {}
     }
 
     /** A timer of the wall's clock would make a replay another run; and Flink is a door, not a room. */
@@ -271,7 +278,8 @@ class FleetJobTest {
     void flinkStaysWhereItBelongsAndKnowsNoClockOnTheWall() {
         JavaClasses main = new ClassFileImporter().withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
         noClasses().that().resideOutsideOfPackage("wbv.fleet.flink..")
-                .should().dependOnClassesThat().resideInAnyPackage("org.apache.flink..", "org.apache.kafka..", "wbv.fleet.flink..").check(main);
+                .should().dependOnClassesThat().resideInAnyPackage("org.apache.flink..", "org.apache.kafka..", "wbv.fleet.flink..")
+                .check(main);
         noClasses().should().callMethod(TimerService.class, "registerProcessingTimeTimer", long.class).check(main);
         noClasses().that().resideInAPackage("wbv.fleet.flink..").should().dependOnClassesThat().resideInAnyPackage("wbv.cli..",
                 "wbv.learn..", "wbv.stream..", "wbv.report..", "wbv.proof..", "moa..").check(main);

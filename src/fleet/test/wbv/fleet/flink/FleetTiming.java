@@ -40,7 +40,7 @@ final class FleetTiming {
     private static volatile long from;
     private static volatile long to;
 
-    private FleetTiming() { }
+    private FleetTiming() {}
 
     public static void main(String[] words) throws Exception {
         int size = Integer.parseInt(words[0]);
@@ -87,9 +87,12 @@ final class FleetTiming {
         FleetOrder order = order(size);
         Path folder = Files.createTempDirectory(Path.of("target"), "fleet");
         TOLD.set(0);
-        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1, FleetJob.settings(folder, 1000))) {
-            FleetJob.Told told = FleetJob.follow(environment.fromSource(new PacketFileSource(((FleetSource.Packets) order.source()).files()),
-                    WatermarkStrategy.noWatermarks(), "files", Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).uid("files"),
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1,
+                FleetJob.settings(folder, 1000))) {
+            FleetJob.Told told = FleetJob.follow(
+                    environment.fromSource(new PacketFileSource(((FleetSource.Packets) order.source()).files()),
+                            WatermarkStrategy.noWatermarks(), "files", Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE)))
+                            .uid("files"),
                     Optional.empty(), order);
             FleetJob.write(told, folder);
             told.results().filter(new Count()).uid("count").sinkTo(new DiscardingSink<>()).uid("counted");

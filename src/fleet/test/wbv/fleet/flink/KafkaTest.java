@@ -97,14 +97,15 @@ class KafkaTest {
             FleetOrder embedded = new FleetOrder(follow, new FleetSource.Packets(List.of(temporary.resolve("all.packets"))), 50);
             replay.write(temporary.resolve("all.packets"));
             Path out = temporary.resolve("embedded");
-            new FleetRun(embedded, follow.plan(), out, 2, 1e9).run(share -> { });
+            new FleetRun(embedded, follow.plan(), out, 2, 1e9).run(share -> {});
             assertEquals(bySeat(Files.readAllLines(out.resolve("results.csv"))), bySeat(rows(broker.read("fleet.results"))));
             assertEquals(bySeat(Files.readAllLines(out.resolve("alarms.csv"))), bySeat(rows(broker.read("fleet.alarms"))));
             assertEquals(bad.stream().sorted().toList(), rows(broker.read("fleet.unread")).stream().skip(1)
                     .map(row -> row.substring(row.lastIndexOf(',') + 1)).sorted().toList());
             for (String table : List.of("machines", "worst")) {
                 Map<String, String> last = new LinkedHashMap<>();
-                rows(broker.read("fleet." + table)).stream().skip(1).forEach(row -> last.put(String.join(",", List.of(row.split(",")).subList(0, 3)), row));
+                rows(broker.read("fleet." + table)).stream().skip(1)
+                        .forEach(row -> last.put(String.join(",", List.of(row.split(",")).subList(0, 3)), row));
                 List<String> tables = Files.readAllLines(out.resolve(table + ".csv"));
                 assertEquals(tables.subList(1, tables.size()).stream().sorted().toList(), last.values().stream().sorted().toList());
             }

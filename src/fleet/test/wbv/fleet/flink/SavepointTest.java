@@ -58,18 +58,19 @@ class SavepointTest {
     }
 
     private static List<String> embedded(FleetOrder order, Path folder) throws IOException {
-        new FleetRun(order, order.follow().plan(), folder, 1, 1e9).run(share -> { });
+        new FleetRun(order, order.follow().plan(), folder, 1, 1e9).run(share -> {});
         return Files.readAllLines(folder.resolve("results.csv"));
     }
 
     /** Begins the job. @param blocks of seats, one after the other @param from savepoint to go on with */
-    private static JobClient begin(FleetOrder order, Path parts, int blocks, int parallelism, int pause, Optional<Path> from) throws Exception {
+    private static JobClient begin(FleetOrder order, Path parts, int blocks, int parallelism, int pause, Optional<Path> from)
+            throws Exception {
         return begin(order, parts, blocks, parallelism, pause, from, told -> FleetJob.write(told, parts));
     }
 
     /** @param sinks where rows go */
     private static JobClient begin(FleetOrder order, Path parts, int blocks, int parallelism, int pause, Optional<Path> from,
-                                   Consumer<FleetJob.Told> sinks) throws Exception {
+            Consumer<FleetJob.Told> sinks) throws Exception {
         Configuration settings = FleetJob.settings(parts, 300);
         from.ifPresent(savepoint -> settings.set(StateRecoveryOptions.SAVEPOINT_PATH, savepoint.toUri().toString()));
         settings.set(StateRecoveryOptions.SAVEPOINT_IGNORE_UNCLAIMED_STATE, true);
@@ -115,7 +116,7 @@ class SavepointTest {
         assertTrue(one > 0 && four > one && rows(parts) > four, one + ", " + four + ", " + rows(parts));
         embedded(order, temporary.resolve("embedded"));
         Path out = Files.createDirectories(temporary.resolve("out"));
-        FlinkEngine.gather(order, parts, out, line -> { });
+        FlinkEngine.gather(order, parts, out, line -> {});
         for (String name : List.of("results.csv", "alarms.csv", "machines.csv", "worst.csv")) {
             assertEquals(-1, Files.mismatch(temporary.resolve("embedded").resolve(name), out.resolve(name)), name);
         }

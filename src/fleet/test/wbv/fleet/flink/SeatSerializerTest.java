@@ -70,7 +70,7 @@ class SeatSerializerTest {
                 replay.packets(k, round, packets::add);
             }
             int stop = random.nextInt(packets.size());
-            packets.subList(0, stop).forEach(packet -> seat.accept(packet, each -> { }));
+            packets.subList(0, stop).forEach(packet -> seat.accept(packet, each -> {}));
             DataOutputSerializer streamed = new DataOutputSerializer(64);
             serializer.copy(new DataInputDeserializer(bytes(serializer, seat)), streamed);
             DataOutputSerializer kept = new DataOutputSerializer(64);

@@ -11,7 +11,7 @@ import wbv.body.number.Key;
  * @param bristle bristle stiffness [N/m]
  */
 public record BristleFriction(@Key("friction_N") double friction, @Key("breakaway_N") double breakaway,
-                       @Key("stribeck_m_per_s") double stribeck, @Key("bristle_N_per_m") double bristle) implements Law {
+        @Key("stribeck_m_per_s") double stribeck, @Key("bristle_N_per_m") double bristle) implements Law {
     public BristleFriction {
         Check.positive("friction", "N", friction);
         Check.positive("breakaway force", "N", breakaway);

@@ -13,7 +13,7 @@ import wbv.body.number.Key;
  * @param travel from disengaged to fully engaged [m], &gt; 0 @param growth [1], &gt; 0
  */
 public record EngagingFriction(@Key("extension_friction_N") double extension, @Key("compression_friction_N") double compression,
-                        @Key("engagement_m") double travel, @Key("growth") double growth) implements Law {
+        @Key("engagement_m") double travel, @Key("growth") double growth) implements Law {
     public EngagingFriction {
         Check.notNegative("friction in extension", "N", extension);
         Check.notNegative("friction in compression", "N", compression);

@@ -1,7 +1,8 @@
 package wbv.body.law;
 
 /** A term of a law that no library holds, learned from a recording. Several in one link add up to the law. */
-public sealed interface Learned extends Law permits LearnedTerm, LearnedLimited, LearnedKnee, LearnedMemory, LearnedInertance, LearnedCourse, LearnedWave, LearnedTable {
+public sealed interface Learned extends Law
+        permits LearnedTerm, LearnedLimited, LearnedKnee, LearnedMemory, LearnedInertance, LearnedCourse, LearnedWave, LearnedTable {
 
     /** The word that stands for all of them. */
     String MECHANISM = "learned";

@@ -15,11 +15,14 @@ import wbv.body.number.Units;
  * @param coefficient [N per the shape's unit]
  * @param time of a step, or time constant [s], &gt; 0
  */
-public record LearnedCourse(@Key("shape") Shape shape, @Key("course") Course course, @Key("coefficient_N") double coefficient, @Key("time_s") double time)
+public record LearnedCourse(@Key("shape") Shape shape, @Key("course") Course course, @Key("coefficient_N") double coefficient,
+        @Key("time_s") double time)
         implements Learned {
 
     /** How it comes: at once, or ever more slowly; or it grows all the time, by as much in every {@code time}. */
-    public enum Course { STEP, SETTLING, GROWING }
+    public enum Course {
+        STEP, SETTLING, GROWING
+    }
 
     public LearnedCourse {
         Check.finite("coefficient", Units.newtonsPer(shape.unit()), coefficient);

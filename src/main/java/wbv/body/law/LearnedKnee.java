@@ -14,8 +14,9 @@ import wbv.body.number.Units;
  * @param modulator   what it is multiplied by @param coefficient slope beyond the knee [N/m or N s/m, per the modulator's unit]
  * @param knee        where it begins [m or m/s], &gt; 0
  */
-public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,
-                          @Key("knee") double knee) implements Learned {
+public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key("modulator") Modulator modulator,
+        @Key("coefficient_N") double coefficient,
+        @Key("knee") double knee) implements Learned {
     public LearnedKnee {
         if (!of.isLinear()) {
             throw new IllegalArgumentException("a knee is one of r or of v: '" + of + "'");

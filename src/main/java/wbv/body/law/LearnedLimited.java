@@ -15,7 +15,7 @@ import wbv.body.number.Units;
  * @param limit of the modulator, in its unit, &gt; 0
  */
 public record LearnedLimited(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,
-                             @Key("limit") double limit) implements Learned {
+        @Key("limit") double limit) implements Learned {
     public LearnedLimited {
         Check.finite("coefficient", "N", coefficient);
         Check.positive("limit", modulator.unit(), limit);

@@ -13,8 +13,9 @@ import wbv.body.number.Units;
  * @param of          what is remembered, of the motion @param shape what the memory is multiplied by; {@link Shape#ONE} for nothing
  * @param modulator   what both are multiplied by @param coefficient [N per the unit of all three] @param memory τ [s], &gt; 0
  */
-public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,
-                            @Key("memory_s") double memory) implements Learned {
+public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key("modulator") Modulator modulator,
+        @Key("coefficient_N") double coefficient,
+        @Key("memory_s") double memory) implements Learned {
     public LearnedMemory {
         Check.finite("coefficient", "N", coefficient);
         Check.positive("memory", "s", memory);

@@ -16,8 +16,9 @@ import wbv.body.number.Shape;
  * @param next one step in extension
  * @param further two steps @param furthest three steps
  */
-public record LearnedTable(@Key("over") Shape over, @Key("step") double step, @Key("at_minus_3_N") double third, @Key("at_minus_2_N") double second,
-                           @Key("at_minus_1_N") double first, @Key("at_1_N") double next, @Key("at_2_N") double further, @Key("at_3_N") double furthest)
+public record LearnedTable(@Key("over") Shape over, @Key("step") double step, @Key("at_minus_3_N") double third,
+        @Key("at_minus_2_N") double second,
+        @Key("at_minus_1_N") double first, @Key("at_1_N") double next, @Key("at_2_N") double further, @Key("at_3_N") double furthest)
         implements Learned {
 
     /** Steps to either side. */
@@ -57,7 +58,8 @@ public record LearnedTable(@Key("over") Shape over, @Key("step") double step, @K
         for (int at = -REACH; at <= REACH; at++) {
             out.append(at > -REACH ? ", " : "").append(String.format(Locale.ROOT, "%.2g", force(at) / most));
         }
-        return out.append(String.format(Locale.ROOT, " from %.3g to %.3g ", -1e3 * REACH * step, 1e3 * REACH * step)).append("m").append(over.unit()).append(")").toString();
+        return out.append(String.format(Locale.ROOT, " from %.3g to %.3g ", -1e3 * REACH * step, 1e3 * REACH * step)).append("m")
+                .append(over.unit()).append(")").toString();
     }
 
     @Override

@@ -11,7 +11,8 @@ import wbv.body.number.Units;
  *
  * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
  */
-public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient) implements Learned {
+public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient)
+        implements Learned {
     public LearnedTerm {
         Check.finite("coefficient", unit(shape, modulator), coefficient);
     }

@@ -11,7 +11,8 @@ import wbv.body.number.Units;
  *
  * @param shape what it goes by @param cosine [N per the shape's unit] @param sine likewise @param frequency f [Hz], &gt; 0
  */
-public record LearnedWave(@Key("shape") Shape shape, @Key("cosine_N") double cosine, @Key("sine_N") double sine, @Key("frequency_hz") double frequency)
+public record LearnedWave(@Key("shape") Shape shape, @Key("cosine_N") double cosine, @Key("sine_N") double sine,
+        @Key("frequency_hz") double frequency)
         implements Learned {
 
     public LearnedWave {

@@ -9,7 +9,7 @@ import wbv.body.number.Key;
  * @param stiffness [N/m] @param damping [N s/m] @param delay [s], &gt; 0
  */
 public record Reflex(@Key("reflex_N_per_m") double stiffness, @Key("reflex_Ns_per_m") double damping,
-              @Key("delay_s") double delay) implements Law {
+        @Key("delay_s") double delay) implements Law {
     public Reflex {
         Check.finite("reflex stiffness", "N/m", stiffness);
         Check.finite("reflex damping", "N s/m", damping);

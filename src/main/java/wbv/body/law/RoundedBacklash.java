@@ -25,6 +25,7 @@ public record RoundedBacklash(@Key("gap_m") double gap, @Key("edge_m") double ed
     public double force(LinkMotion m) {
         double r = m.displacement;
         double held = Rounded.slope(r - gap, edge) + Rounded.slope(-r - gap, edge);
-        return -m.stiffness * (r - Rounded.ramp(r - gap, edge) + Rounded.ramp(-r - gap, edge)) - slack * m.damping * m.velocity * (1 - held);
+        return -m.stiffness * (r - Rounded.ramp(r - gap, edge) + Rounded.ramp(-r - gap, edge))
+                - slack * m.damping * m.velocity * (1 - held);
     }
 }

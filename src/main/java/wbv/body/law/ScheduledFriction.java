@@ -11,8 +11,9 @@ import wbv.body.number.Modulator;
  * @param by u, a {@link Modulator.Level} @param middle F0 [N] @param linear a [N] @param square b [N] @param cube c [N] @param fourth d [N]
  * @param transition velocity v0 below which it is viscous [m/s], &gt; 0
  */
-public record ScheduledFriction(@Key("modulator") Modulator by, @Key("middle_N") double middle, @Key("linear_N") double linear, @Key("square_N") double square,
-                                @Key("cube_N") double cube, @Key("fourth_N") double fourth, @Key("transition_m_per_s") double transition) implements Law {
+public record ScheduledFriction(@Key("modulator") Modulator by, @Key("middle_N") double middle, @Key("linear_N") double linear,
+        @Key("square_N") double square,
+        @Key("cube_N") double cube, @Key("fourth_N") double fourth, @Key("transition_m_per_s") double transition) implements Law {
     public ScheduledFriction {
         Modulator.Level.require(by);
         for (double force : new double[] {middle, linear, square, cube, fourth}) {

@@ -16,8 +16,9 @@ import wbv.body.number.Modulator;
  * @param cube c [1]
  * @param fourth d [1]
  */
-public record ScheduledLink(@Key("of") Of of, @Key("modulator") Modulator by, @Key("linear_change") double linear, @Key("square_change") double square,
-                            @Key("cube_change") double cube, @Key("fourth_change") double fourth) implements Law {
+public record ScheduledLink(@Key("of") Of of, @Key("modulator") Modulator by, @Key("linear_change") double linear,
+        @Key("square_change") double square,
+        @Key("cube_change") double cube, @Key("fourth_change") double fourth) implements Law {
     private static final double FLOOR = -0.97;
 
     /** What goes by the channel. */

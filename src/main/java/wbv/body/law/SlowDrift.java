@@ -10,7 +10,7 @@ import wbv.body.number.Key;
  * @param linear [1/(100 s)] @param quadratic [1/(100 s)²] @param dampingShare part of g that the damping follows, 0 to 2
  */
 public record SlowDrift(@Key("linear_per_100s") double linear, @Key("quadratic_per_100s2") double quadratic,
-             @Key("damping_share") double dampingShare) implements Law {
+        @Key("damping_share") double dampingShare) implements Law {
     private static final double FLOOR = -0.97;
 
     public SlowDrift {

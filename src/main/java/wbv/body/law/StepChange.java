@@ -8,7 +8,7 @@ import wbv.body.number.Key;
  * @param dampingFactor likewise, &gt; 0
  */
 public record StepChange(@Key("time_s") double time, @Key("stiffness_factor") double stiffnessFactor,
-            @Key("damping_factor") double dampingFactor) implements Law {
+        @Key("damping_factor") double dampingFactor) implements Law {
     public StepChange {
         Check.finite("time", "s", time);
         Check.positive("stiffness factor", "1", stiffnessFactor);

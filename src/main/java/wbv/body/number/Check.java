@@ -3,7 +3,7 @@ package wbv.body.number;
 /** One message form for what a record refuses: quantity, rule, unit, value. */
 public final class Check {
 
-    private Check() { }
+    private Check() {}
 
     /** Refuses NaN and infinity. */
     public static void finite(String quantity, String unit, double value) {

@@ -9,7 +9,7 @@ import java.util.List;
 /** The numbers of a law, a drive or a sensor fault, by their JSON keys, in the order of the record's components. */
 public final class Numbers {
 
-    private Numbers() { }
+    private Numbers() {}
 
     /** Keys of the numeric components, such as {@code knee_m}. */
     public static List<String> keys(Class<?> type) {

@@ -85,7 +85,8 @@ public record Shape(Part deflection, Part speed) {
             boolean twice = r.isPresent() ? out.deflection != Part.ONE : out.speed != Part.ONE;
             if (r.isEmpty() && v.isEmpty() || twice) {
                 throw new IllegalArgumentException("'" + text + "' is no shape of a law: 1, or one of "
-                        + Arrays.stream(Part.values()).filter(part -> part != Part.ONE).map(part -> part.text("r")).collect(Collectors.joining(", "))
+                        + Arrays.stream(Part.values()).filter(part -> part != Part.ONE).map(part -> part.text("r"))
+                                .collect(Collectors.joining(", "))
                         + ", or the same of v, or one of each as in 'r^2 v'");
             }
             out = new Shape(r.orElse(out.deflection), v.orElse(out.speed));

@@ -3,7 +3,7 @@ package wbv.body.number;
 /** Units put together from others. */
 public final class Units {
 
-    private Units() { }
+    private Units() {}
 
     /** {@code m²}; empty for no power. */
     static String power(String unit, int power) {

@@ -127,7 +127,8 @@ final class BeyondFirstOrder {
         int own = along.ordinal();
         int across = Motion.Z.ordinal() - own;
         double turn = along == Motion.X ? 1 : -1;
-        double out = along == Motion.X ? plane.bodies().get(body).x() - plane.origin()[0] : plane.bodies().get(body).z() - plane.origin()[1];
+        double out = along == Motion.X ? plane.bodies().get(body).x() - plane.origin()[0]
+                : plane.bodies().get(body).z() - plane.origin()[1];
         double[] place = moving[body].place[own];
         double[] aside = moving[body].place[across];
         double[] speed = moving[body].speed[across];

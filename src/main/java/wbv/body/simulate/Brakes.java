@@ -92,7 +92,8 @@ final class Brakes {
         for (int l = 0; l < structure.links(); l++) {
             for (int i = 0; i < n; i++) {
                 for (int j = 0; j < n; j++) {
-                    stiffness.addToEntry(i, j, structure.incidence(i, l) * structure.incidence(j, l) * (structure.stiffness()[l] + further[l]));
+                    stiffness.addToEntry(i, j,
+                            structure.incidence(i, l) * structure.incidence(j, l) * (structure.stiffness()[l] + further[l]));
                 }
             }
         }

@@ -47,7 +47,8 @@ final class CarriedSlopes {
      * @param forceSlope derivative of the known force, by parameter, body and sample. Not modified.
      * @param known      whether known forces act on the bodies
      */
-    CarriedSlopes(FreeRun run, ModalStep linear, ExactHold[] holds, double[][][] slope, double[][][] forceSlope, boolean known, int samples) {
+    CarriedSlopes(FreeRun run, ModalStep linear, ExactHold[] holds, double[][][] slope, double[][][] forceSlope, boolean known,
+            int samples) {
         this.run = run;
         this.structure = run.structure();
         this.laws = run.laws();

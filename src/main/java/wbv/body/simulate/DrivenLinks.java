@@ -63,7 +63,7 @@ final class DrivenLinks implements Modulations.Links {
     }
 
     /** What the first law with memory carries where it starts. @param force [N] @param slope of it to each parameter */
-    private record Carried(double force, double[] slope) { }
+    private record Carried(double force, double[] slope) {}
 
     private void linear(int l) {
         for (int j = 0; j < samples; j++) {
@@ -225,7 +225,8 @@ final class DrivenLinks implements Modulations.Links {
         }
         double[] stretch = excitation.spectrum(displacement);
         return new Simulator.Response(out, slopes, Arrays.stream(lawForce).map(excitation::spectrum).toArray(double[][]::new),
-                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false, java.util.Optional.empty(),
+                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false,
+                java.util.Optional.empty(),
                 IntStream.range(0, out.length).mapToObj(o -> sensing.recorded(assembly, o)).toArray(double[][]::new));
     }
 }

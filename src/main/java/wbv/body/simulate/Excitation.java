@@ -88,7 +88,7 @@ public final class Excitation {
     }
 
     private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
-                       Optional<Stroke> stroke, boolean forced) {
+            Optional<Stroke> stroke, boolean forced) {
         this.rate = rate;
         this.samples = base[0].length;
         double wanted = (samples + SILENCE * rate) * oversampling;
@@ -129,7 +129,8 @@ public final class Excitation {
      * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
      */
     public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
-        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(), true);
+        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(),
+                true);
     }
 
     /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
@@ -169,7 +170,7 @@ public final class Excitation {
     }
 
     /** How the base moves along an axis. @param acceleration its spectrum @param track see {@link Excitation#track} */
-    private record Moved(double[] acceleration, double[] track) { }
+    private record Moved(double[] acceleration, double[] track) {}
 
     /**
      * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes,
@@ -285,7 +286,8 @@ public final class Excitation {
         return sum;
     }
 
-    private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded, boolean unit) {
+    private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded,
+            boolean unit) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;

@@ -92,8 +92,11 @@ public final class FreeRun {
                 ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
 
-    private FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation, int divisions, ModalBasis basis) {
-        this.parted = divisions > 0 ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1, basis)) : Optional.empty();
+    private FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation, int divisions,
+            ModalBasis basis) {
+        this.parted = divisions > 0
+                ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1, basis))
+                : Optional.empty();
         this.structure = structure;
         this.modulation = modulation;
         this.laws = laws.stream().map(LawSlopes::new).toArray(LawSlopes[]::new);
@@ -138,7 +141,7 @@ public final class FreeRun {
      * @param slope        derivative of each law force, by law, parameter and sample; empty without sensitivities
      * @param diverged     first sample at which the motion left all bounds, -1 if it never did; from there everything is 0
      */
-    public record Run(double[][] force, double[][] displacement, double[][] velocity, double[][][] slope, int diverged) { }
+    public record Run(double[][] force, double[][] displacement, double[][] velocity, double[][][] slope, int diverged) {}
 
     /** Number of parameters that sensitivities are taken to: the structure's, then the laws'. */
     public int parameters() {
@@ -253,7 +256,8 @@ public final class FreeRun {
             memory = new double[m];
             before = new double[m];
             greatest = new double[m];
-            carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.linear, run.slopes, slope, forceSlope, known > 0, samples)) : Optional.empty();
+            carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.linear, run.slopes, slope, forceSlope, known > 0, samples))
+                    : Optional.empty();
             parts = run.parted.map(finer -> new Way(finer, PARTS + 1, sensitivities, known, between(forceSlope), false));
             shaken = new double[run.structure.axes()][PARTS + 1];
             pushed = new double[known][PARTS + 1];

@@ -49,9 +49,11 @@ final class ModalStep {
         this.basis = basis;
         states = 2 * structure.bodies();
         DMatrixRMaj step = basis.within(hold.transition);
-        filled = IntStream.range(0, states).mapToObj(i -> IntStream.range(0, states).filter(k -> k == i || Math.abs(step.get(i, k)) > NOTHING).toArray())
+        filled = IntStream.range(0, states)
+                .mapToObj(i -> IntStream.range(0, states).filter(k -> k == i || Math.abs(step.get(i, k)) > NOTHING).toArray())
                 .toArray(int[][]::new);
-        entry = IntStream.range(0, states).mapToObj(i -> Arrays.stream(filled[i]).mapToDouble(k -> step.get(i, k)).toArray()).toArray(double[][]::new);
+        entry = IntStream.range(0, states).mapToObj(i -> Arrays.stream(filled[i]).mapToDouble(k -> step.get(i, k)).toArray())
+                .toArray(double[][]::new);
         one = new int[states];
         other = new int[states];
         first = new double[states];
@@ -68,13 +70,17 @@ final class ModalStep {
         after = columns(basis.into(hold.after));
         bodies = IntStream.range(0, structure.bodies()).map(structure::bodyInput).toArray();
         own = Arrays.stream(links).mapToObj(link -> after[structure.linkInput(link)]).toArray(double[][]::new);
-        push = Arrays.stream(links).mapToObj(link -> pushed(before[structure.linkInput(link)], after[structure.linkInput(link)])).toArray(double[][]::new);
+        push = Arrays.stream(links).mapToObj(link -> pushed(before[structure.linkInput(link)], after[structure.linkInput(link)]))
+                .toArray(double[][]::new);
         double[][] vectors = columns(basis.vectors);
         double balance = structure.balance();
         stretch = Arrays.stream(links).mapToObj(link -> read(structure.stretch(link), vectors, 0, 1 / balance)).toArray(double[][]::new);
-        rate = Arrays.stream(links).mapToObj(link -> read(structure.stretch(link), vectors, structure.bodies(), 1)).toArray(double[][]::new);
-        give = Arrays.stream(stretch).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray()).toArray(double[][]::new);
-        giveVelocity = Arrays.stream(rate).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray()).toArray(double[][]::new);
+        rate = Arrays.stream(links).mapToObj(link -> read(structure.stretch(link), vectors, structure.bodies(), 1))
+                .toArray(double[][]::new);
+        give = Arrays.stream(stretch).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray())
+                .toArray(double[][]::new);
+        giveVelocity = Arrays.stream(rate).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray())
+                .toArray(double[][]::new);
     }
 
     private static double[] read(Row row, double[][] vectors, int offset, double factor) {
@@ -182,6 +188,7 @@ final class ModalStep {
     }
 
     private static double[][] columns(DMatrixRMaj matrix) {
-        return IntStream.range(0, matrix.numCols).mapToObj(j -> IntStream.range(0, matrix.numRows).mapToDouble(i -> matrix.get(i, j)).toArray()).toArray(double[][]::new);
+        return IntStream.range(0, matrix.numCols)
+                .mapToObj(j -> IntStream.range(0, matrix.numRows).mapToDouble(i -> matrix.get(i, j)).toArray()).toArray(double[][]::new);
     }
 }

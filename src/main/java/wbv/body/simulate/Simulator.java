@@ -71,7 +71,7 @@ public final class Simulator {
      * @param forces on the coordinates beside those of first order [N, N m], spectra
      * @param readings spectra by output; empty where nothing. None copied
      */
-    public record Bends(double[][] forces, double[][] readings) { }
+    public record Bends(double[][] forces, double[][] readings) {}
 
     /** Simulates, with the derivatives to every parameter if {@code sensitivities}. */
     public Response run(Assembly assembly, boolean sensitivities) {
@@ -108,7 +108,8 @@ public final class Simulator {
         if (assembly.structure().held()) {
             return new double[assembly.outputs().size()][2 * excitation.omega().length];
         }
-        List<Integer> pushed = assembly.drives().stream().filter(at -> at.drive() instanceof Drive.Measured).map(Assembly.DriveAt::place).toList();
+        List<Integer> pushed = assembly.drives().stream().filter(at -> at.drive() instanceof Drive.Measured).map(Assembly.DriveAt::place)
+                .toList();
         if (!pushed.isEmpty()) {
             Linearised linear = linearised(assembly);
             double[][] out = linear.ofBodyForce(pushed.get(0));
@@ -128,7 +129,8 @@ public final class Simulator {
      * @param axis along which @param as as which; the same for what it did
      */
     public double[][] ofAxis(Assembly assembly, int axis, int as) {
-        return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as))).toArray(double[][]::new);
+        return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as)))
+                .toArray(double[][]::new);
     }
 
     /** Acceleration of each body [m/s²], whether measured or not, as spectra; sensor faults left out. */
@@ -182,7 +184,8 @@ public final class Simulator {
             for (int i = 0; i < out.length; i++) {
                 out[i] = assembly.structure().damping()[link] * out[i] + assembly.structure().stiffness()[link] * stretch[link][i];
             }
-            IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link).forEach(i -> Spectra.add(out, forces[i], 1));
+            IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link)
+                    .forEach(i -> Spectra.add(out, forces[i], 1));
             return out;
         }
 
@@ -239,7 +242,8 @@ public final class Simulator {
     private Assembly transparent(Assembly assembly) {
         List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
         List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> output.with(
-                output.faults().stream().flatMap(fault -> fault.filter(excitation.samples() / excitation.rate()).stream()).toList())).toList();
+                output.faults().stream().flatMap(fault -> fault.filter(excitation.samples() / excitation.rate()).stream()).toList()))
+                .toList();
         return new Assembly(assembly.structure(), laws, List.of(), outputs);
     }
 
@@ -323,8 +327,9 @@ public final class Simulator {
             }
             there.moves(q);
             there.accelerates(q);
-            return new Bends(forces, assembly.outputs().stream().map(output -> output.mount().map(mount -> excitation.filtered(there.reading(mount)))
-                    .orElseGet(() -> new double[0])).toArray(double[][]::new));
+            return new Bends(forces,
+                    assembly.outputs().stream().map(output -> output.mount().map(mount -> excitation.filtered(there.reading(mount)))
+                            .orElseGet(() -> new double[0])).toArray(double[][]::new));
         }
 
         /**
@@ -509,7 +514,8 @@ public final class Simulator {
         }
 
         private Moved moved(double[][] motion, double[][] forces) {
-            return new Moved(assembly, IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, motion)).toArray(double[][]::new), forces,
+            return new Moved(assembly,
+                    IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, motion)).toArray(double[][]::new), forces,
                     excitation.omega());
         }
 

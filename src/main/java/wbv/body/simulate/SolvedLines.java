@@ -27,7 +27,8 @@ final class SolvedLines {
     record Solved(Structure structure, double[][] stiffness, double[][] inverse) {
 
         private boolean isOf(Structure other) {
-            return structure.held() == other.held() && structure.kinematics().equals(other.kinematics()) && Arrays.equals(structure.stiffness(), other.stiffness())
+            return structure.held() == other.held() && structure.kinematics().equals(other.kinematics())
+                    && Arrays.equals(structure.stiffness(), other.stiffness())
                     && Arrays.equals(structure.damping(), other.damping()) && Arrays.equals(structure.mass(), other.mass());
         }
     }

@@ -8,7 +8,7 @@ public final class Swing {
     /** Below it the drift of accelerometers integrated twice is more than people move; assumed [rad/s]. */
     private static final double CORNER = 2 * Math.PI * 0.6;
 
-    private Swing() { }
+    private Swing() {}
 
     /** Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it. @param omega [rad/s] */
     static double passed(double omega) {

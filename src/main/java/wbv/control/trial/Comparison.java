@@ -81,7 +81,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
             double n = all.size();
             return Optional.of(new Front.AtStroke(all.stream().mapToDouble(Front.AtStroke::seat).sum() / n,
                     all.stream().mapToDouble(Front.AtStroke::head).sum() / n, all.stream().mapToDouble(Front.AtStroke::strokeRms).sum() / n,
-                    all.stream().mapToDouble(Front.AtStroke::strokeMost).max().orElseThrow(), all.stream().mapToDouble(Front.AtStroke::stopHits).sum() / n,
+                    all.stream().mapToDouble(Front.AtStroke::strokeMost).max().orElseThrow(),
+                    all.stream().mapToDouble(Front.AtStroke::stopHits).sum() / n,
                     all.stream().mapToDouble(Front.AtStroke::power).sum() / n, all.stream().mapToDouble(Front.AtStroke::force).sum() / n));
         }
     }
@@ -95,8 +96,9 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
 
         /** The front of an entrant. */
-    public Front front(Entrant entrant) {
-            return fronts.stream().filter(front -> front.family() == entrant.family() && front.knowledge() == entrant.knowledge()).findFirst().orElseThrow();
+        public Front front(Entrant entrant) {
+            return fronts.stream().filter(front -> front.family() == entrant.family() && front.knowledge() == entrant.knowledge())
+                    .findFirst().orElseThrow();
         }
     }
 
@@ -106,7 +108,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
      * @param frequency [Hz]
      * @param modulus of seat pan over floor, NaN where the floor tells nothing
      */
-    public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) { }
+    public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) {}
 
     /** Runs it, one ride after the other. @param progress hears shares from 0 to 1 */
     public static Comparison run(Request request, DoubleConsumer progress) {
@@ -120,7 +122,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
             List<OnSitter> sitters = new ArrayList<>();
             for (Subject sitter : request.sitters()) {
                 List<Front> fronts = entrants.stream().map(entrant -> front(request, maker, sitter, entrant)).toList();
-                double stroke = fronts.stream().filter(front -> front.family() == ControllerFamily.SKYHOOK).flatMap(front -> front.points().stream())
+                double stroke = fronts.stream().filter(front -> front.family() == ControllerFamily.SKYHOOK)
+                        .flatMap(front -> front.points().stream())
                         .filter(point -> point.tuning() == skyhook).findFirst().orElseThrow().result().strokeRms();
                 sitters.add(new OnSitter(Sitters.words(sitter), sitter.mass(), stroke, fronts));
                 progress.accept((double) ++done / all);
@@ -202,7 +205,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
                 }
             }
         }
-        return count == 0 ? Optional.empty() : Optional.of(new Gain(fixed / count, (fixed - scheduled) / count, (fixed - oracle) / count, count));
+        return count == 0 ? Optional.empty()
+                : Optional.of(new Gain(fixed / count, (fixed - scheduled) / count, (fixed - oracle) / count, count));
     }
 
     /**
@@ -229,7 +233,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
      * @param worse with more than 1.02 times the skyhook's SEAT
      * @param worst greatest ratio
      */
-    public record Beside(int rides, int worse, double worst) { }
+    public record Beside(int rides, int worse, double worst) {}
 
     /**
      * What knowing the sitter is worth at equal stroke.

@@ -21,7 +21,8 @@ import wbv.rig.platform.Seeds;
  */
 public record Endurance(Map<String, Case> cases) {
 
-    private static final List<ControllerFamily> FAMILIES = List.of(ControllerFamily.CLIPPED, ControllerFamily.ACTIVE, ControllerFamily.WORST);
+    private static final List<
+            ControllerFamily> FAMILIES = List.of(ControllerFamily.CLIPPED, ControllerFamily.ACTIVE, ControllerFamily.WORST);
     /** Of their stroke: comfort before it. */
     private static final double PRICE = 0.4;
     private static final double SETTLE = 3;
@@ -70,8 +71,9 @@ public record Endurance(Map<String, Case> cases) {
             Subject sitter = sitters.get(random.nextInt(sitters.size()));
             Fault fault = Fault.values()[i % Fault.values().length];
             ControllerFamily family = FAMILIES.get(random.nextInt(FAMILIES.size()));
-            SeatTrial trial = new SeatTrial(hardware, new Ride(fault == Fault.CHANGE ? Sitters.ofMass(75) : sitter, floor, SETTLE, SECONDS, first + i)
-                    .with(faults(fault)));
+            SeatTrial trial = new SeatTrial(hardware,
+                    new Ride(fault == Fault.CHANGE ? Sitters.ofMass(75) : sitter, floor, SETTLE, SECONDS, first + i)
+                            .with(faults(fault)));
             TrialResult result = switch (fault) {
                 case LOW -> trial.runMisled(maker, family, PRICE, 0.5);
                 case HIGH -> trial.runMisled(maker, family, PRICE, 1.5);

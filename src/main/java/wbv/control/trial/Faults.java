@@ -20,10 +20,10 @@ public record Faults(double loss, Optional<Silence> silence, double delay, Optio
     public enum Sensor { FLOOR, FRAME, DEFLECTION, SPRING, TRUNK }
 
     /** A sensor that says nothing any more. @param from when [s] */
-    public record Silence(Sensor sensor, double from) { }
+    public record Silence(Sensor sensor, double from) {}
 
     /** Another sitter. @param at when [s] */
-    public record Change(Subject to, double at) { }
+    public record Change(Subject to, double at) {}
 
     public Faults {
         if (!(loss >= 0 && loss <= 1)) {

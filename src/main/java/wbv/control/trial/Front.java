@@ -13,7 +13,7 @@ import java.util.Optional;
 public record Front(ControllerFamily family, Knowledge knowledge, List<Point> points) {
 
     /** A ride with one tuning. @param tuning what was tuned to @param result what came of it */
-    public record Point(double tuning, TrialResult result) { }
+    public record Point(double tuning, TrialResult result) {}
 
     /**
      * At a given stroke.
@@ -29,7 +29,8 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
 
         private static AtStroke between(TrialResult a, TrialResult b, double stroke) {
             double share = Math.log(stroke / a.strokeRms()) / Math.log(b.strokeRms() / a.strokeRms());
-            return new AtStroke(mix(a.seat(), b.seat(), share), mix(a.head(), b.head(), share), stroke, mix(a.strokeMost(), b.strokeMost(), share),
+            return new AtStroke(mix(a.seat(), b.seat(), share), mix(a.head(), b.head(), share), stroke,
+                    mix(a.strokeMost(), b.strokeMost(), share),
                     mix(a.stopHits(), b.stopHits(), share), mix(a.power(), b.power(), share), mix(a.forceRms(), b.forceRms(), share));
         }
 

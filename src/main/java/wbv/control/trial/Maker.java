@@ -93,7 +93,8 @@ public final class Maker {
             }
             return sum;
         };
-        PointValuePair best = new SimplexOptimizer(1e-10, 1e-10).optimize(new MaxEval(5000), new ObjectiveFunction(misfit), GoalType.MINIMIZE,
+        PointValuePair best = new SimplexOptimizer(1e-10, 1e-10).optimize(new MaxEval(5000), new ObjectiveFunction(misfit),
+                GoalType.MINIMIZE,
                 new InitialGuess(new double[] {Math.log(0.2), Math.log(5), Math.log(0.4)}), new NelderMeadSimplex(3, 0.2));
         return sitter(best.getPoint(), mass);
     }

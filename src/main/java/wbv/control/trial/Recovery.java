@@ -29,18 +29,20 @@ public record Recovery(Floor floor, ControllerFamily family, double seconds, dou
             }
         }
         boolean never = recovered > AFTER - WINDOW;
-        return new Recovery(maker.floor(), family, never ? Double.POSITIVE_INFINITY : recovered, Math.sqrt(mean(changed, 10, AFTER) / mean(always, 10, AFTER)));
+        return new Recovery(maker.floor(), family, never ? Double.POSITIVE_INFINITY : recovered,
+                Math.sqrt(mean(changed, 10, AFTER) / mean(always, 10, AFTER)));
     }
 
     /** Mean squares of hundredths of a second from the change on. */
     private static double[] squares(Maker maker, ControllerFamily family, double tuning, Ride ride) {
         double[] sums = new double[(int) (100 * AFTER)];
-        new SeatTrial(maker.hardware(), ride).run(maker, family, Knowledge.SCHEDULED, tuning, (time, floor, seat, deflection, weightedSeat, weightedFloor) -> {
-            int place = (int) Math.floor(100 * (time - BEFORE));
-            if (place >= 0 && place < sums.length) {
-                sums[place] += weightedSeat * weightedSeat;
-            }
-        });
+        new SeatTrial(maker.hardware(), ride).run(maker, family, Knowledge.SCHEDULED, tuning,
+                (time, floor, seat, deflection, weightedSeat, weightedFloor) -> {
+                    int place = (int) Math.floor(100 * (time - BEFORE));
+                    if (place >= 0 && place < sums.length) {
+                        sums[place] += weightedSeat * weightedSeat;
+                    }
+                });
         return sums;
     }
 

@@ -18,8 +18,9 @@ public record Ride(Subject sitter, Floor floor, double scale, double jolt, doubl
 
     public Ride {
         if (!(scale > 0 && jolt >= 0 && settle >= 0 && seconds > 0 && settle + seconds <= 3600)) {
-            throw new IllegalArgumentException("a ride needs a scale > 0, jolts >= 0 m/s² and at most 3600 s: " + scale + ", " + jolt + " m/s², " + settle
-                    + " + " + seconds + " s");
+            throw new IllegalArgumentException(
+                    "a ride needs a scale > 0, jolts >= 0 m/s² and at most 3600 s: " + scale + ", " + jolt + " m/s², " + settle
+                            + " + " + seconds + " s");
         }
     }
 

@@ -43,7 +43,7 @@ public final class SeatTrial {
     public interface Listener {
 
         /** Hears nothing. */
-        Listener NONE = (time, floor, seat, deflection, weightedSeat, weightedFloor) -> { };
+        Listener NONE = (time, floor, seat, deflection, weightedSeat, weightedFloor) -> {};
 
         /** Accelerations in m/s², the deflection in m; once a step of the controller. @param time since the judged part began [s] */
         void hear(double time, double floor, double seat, double deflection, double weightedSeat, double weightedFloor);
@@ -57,7 +57,8 @@ public final class SeatTrial {
     /** The same, heard. */
     public TrialResult run(Maker maker, ControllerFamily family, Knowledge knowledge, double tuning, Listener listener) {
         SitterSource source = maker.source(knowledge, ride.sitter());
-        Optional<ToldSitter> told = knowledge == Knowledge.ORACLE && source instanceof ToldSitter sitter ? Optional.of(sitter) : Optional.empty();
+        Optional<ToldSitter> told = knowledge == Knowledge.ORACLE && source instanceof ToldSitter sitter ? Optional.of(sitter)
+                : Optional.empty();
         return new Run(family.controller(maker, tuning, source), source, told, 1).play(listener);
     }
 
@@ -179,9 +180,11 @@ public final class SeatTrial {
         }
 
         private void sense(double floor, double time) {
-            readings.set(reading(Faults.Sensor.FLOOR, floor, ACCELERATION_NOISE, time), reading(Faults.Sensor.FRAME, seat.frame(), ACCELERATION_NOISE, time),
+            readings.set(reading(Faults.Sensor.FLOOR, floor, ACCELERATION_NOISE, time),
+                    reading(Faults.Sensor.FRAME, seat.frame(), ACCELERATION_NOISE, time),
                     reading(Faults.Sensor.DEFLECTION, seat.deflection(), DEFLECTION_NOISE, time),
-                    reading(Faults.Sensor.SPRING, seat.spring(), FORCE_NOISE, time), reading(Faults.Sensor.TRUNK, seat.trunk(), ACCELERATION_NOISE, time));
+                    reading(Faults.Sensor.SPRING, seat.spring(), FORCE_NOISE, time),
+                    reading(Faults.Sensor.TRUNK, seat.trunk(), ACCELERATION_NOISE, time));
         }
 
         private double reading(Faults.Sensor sensor, double truth, double deviation, double time) {

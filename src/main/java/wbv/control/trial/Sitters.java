@@ -11,9 +11,10 @@ public final class Sitters {
 
     /** Mass [kg], stature [m], and natural frequencies over the average; assumed. */
     private static final double[][] UNLIKE = {
-        {55, 1.60, 1.00}, {98, 1.85, 1.00}, {55, 1.60, 0.80}, {98, 1.85, 1.20}, {65, 1.70, 1.20}, {110, 1.90, 0.80}, {75, 1.75, 0.75}, {75, 1.75, 1.25}};
+        {55, 1.60, 1.00}, {98, 1.85, 1.00}, {55, 1.60, 0.80}, {98, 1.85, 1.20}, {65, 1.70, 1.20}, {110, 1.90, 0.80}, {75, 1.75, 0.75},
+        {75, 1.75, 1.25}};
 
-    private Sitters() { }
+    private Sitters() {}
 
     /** How many are unlike the middle one. */
     public static int unlike() {
@@ -24,7 +25,8 @@ public final class Sitters {
     public static List<Subject> first(int count) {
         List<Subject> sitters = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            sitters.add(i < UNLIKE.length ? new Subject("1", UNLIKE[i][0], UNLIKE[i][1], UNLIKE[i][2], 1, Posture.NORMAL) : Subject.random(i));
+            sitters.add(
+                    i < UNLIKE.length ? new Subject("1", UNLIKE[i][0], UNLIKE[i][1], UNLIKE[i][2], 1, Posture.NORMAL) : Subject.random(i));
         }
         return sitters;
     }

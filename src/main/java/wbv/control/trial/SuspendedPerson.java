@@ -111,7 +111,8 @@ final class SuspendedPerson {
         double onFrame = person.act(at, 1, n + 2, bodies);
         double over = Math.abs(d) - hardware.stop();
         double stop = over > 0 ? -Math.signum(d) * Math.max(0, STOP_STIFFNESS * over + STOP_DAMPING * v * Math.signum(d)) : 0;
-        return (preload - weight() - hardware.stiffness() * d - damping * v - FRICTION * v / Math.sqrt(v * v + TURN * TURN) + stop + force + onFrame)
+        return (preload - weight() - hardware.stiffness() * d - damping * v - FRICTION * v / Math.sqrt(v * v + TURN * TURN) + stop + force
+                + onFrame)
                 / hardware.frameMass();
     }
 

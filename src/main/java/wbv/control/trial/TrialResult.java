@@ -11,7 +11,7 @@ package wbv.control.trial;
  * @param frequency  the natural frequency that it believed in at the end [Hz] @param damping the damping ratio
  */
 public record TrialResult(double seat, double head, double strokeRms, double strokeMost, int stopHits, double power, double forceRms,
-                          double floorWeighted, double mass, double frequency, double damping) {
+        double floorWeighted, double mass, double frequency, double damping) {
 
     /** Whether the seat stayed a seat: finite, and no deflection far beyond its stops. */
     public boolean stable() {

@@ -32,7 +32,7 @@ public final class Admission {
     /** Noise so far below a signal is no sensor's: what was computed has no unit to be told by. */
     private static final double COMPUTED = 1e-3;
 
-    private Admission() { }
+    private Admission() {}
 
     /** Refuses a channel that stands still where the model needs one that moves. */
     static void moving(Model model, Recording recording) {

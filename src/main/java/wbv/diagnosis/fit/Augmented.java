@@ -12,7 +12,7 @@ import wbv.body.law.LawAt;
 /** The user's model with the values and additions of an assembly, in the format in which it came. */
 public final class Augmented {
 
-    private Augmented() { }
+    private Augmented() {}
 
     /** The model completed. @param assembly of the same model: what was added stands behind the model's own links and bodies */
     public static Model of(Model model, Assembly assembly) {
@@ -22,7 +22,8 @@ public final class Augmented {
             Model.Link link = model.links().get(l);
             int place = l;
             links.add(link.completed(s.stiffness()[l], s.damping()[l],
-                    assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(), drives(assembly, place, false), List.of()));
+                    assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(), drives(assembly, place, false),
+                    List.of()));
         }
         List<Model.Body> bodies = new ArrayList<>();
         int output = 0;
@@ -34,7 +35,8 @@ public final class Augmented {
         for (int l = 0; l < links.size(); l++) {
             Model.Link link = links.get(l);
             if (link.sensor().isPresent()) {
-                links.set(l, link.completed(link.stiffness(), link.damping(), link.laws(), link.drives(), assembly.outputs().get(output++).faults()));
+                links.set(l, link.completed(link.stiffness(), link.damping(), link.laws(), link.drives(),
+                        assembly.outputs().get(output++).faults()));
             }
         }
         List<Model.Sensor> sensors = new ArrayList<>();
@@ -59,7 +61,7 @@ public final class Augmented {
 
     private static List<Drive> drives(Assembly assembly, int place, boolean onBody) {
         return assembly.drives().stream().filter(at -> at.place() == place && at.drive().actsOnBody() == onBody
-                        && !(at.drive() instanceof Drive.Measured))
+                && !(at.drive() instanceof Drive.Measured))
                 .map(Assembly.DriveAt::drive).toList();
     }
 

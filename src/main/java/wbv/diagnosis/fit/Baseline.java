@@ -33,7 +33,7 @@ public final class Baseline {
 
     private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};
 
-    private Baseline() { }
+    private Baseline() {}
 
     /** The model of the evidence with these numbers free; all x 0 are the values as given. */
     public static Candidate of(Evidence evidence) {
@@ -89,14 +89,16 @@ public final class Baseline {
         List<Model.Body> bodies = model.bodies();
         int heaviest = 0;
         for (int b = 1; b < bodies.size(); b++) {
-            heaviest = !bodies.get(b).turns() && (bodies.get(heaviest).turns() || bodies.get(b).mass() > bodies.get(heaviest).mass()) ? b : heaviest;
+            heaviest = !bodies.get(b).turns() && (bodies.get(heaviest).turns() || bodies.get(b).mass() > bodies.get(heaviest).mass()) ? b
+                    : heaviest;
         }
         return heaviest;
     }
 
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
         Model model = evidence.model();
-        boolean weighed = !model.inputs().isEmpty() || assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
+        boolean weighed = !model.inputs().isEmpty()
+                || assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
         int heaviest = heaviest(model);
         for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
             if (!weighed && b == heaviest) {   // motion alone knows no mass
@@ -152,7 +154,8 @@ public final class Baseline {
     /** The mass of a body, unless it is another's too. */
     private static void addMass(List<Knob> knobs, Model model, int body, double farthest, double deviation) {
         Model.Body own = model.bodies().get(body);
-        model.massKey(own).ifPresent(key -> add(knobs, own.name() + " " + key, Slot.of(Slot.Kind.MASS, body), own.mass(), farthest, deviation));
+        model.massKey(own)
+                .ifPresent(key -> add(knobs, own.name() + " " + key, Slot.of(Slot.Kind.MASS, body), own.mass(), farthest, deviation));
     }
 
     private static void add(List<Knob> knobs, String name, Slot slot, double value, double farthest, double deviation) {

@@ -89,7 +89,8 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         String name = evidence.model().base().sensors().get(axis).toString();
         double[][] answer = answer(evidence, axis, axis);
         addOfBase(evidence, new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name), -1, answer);
-        addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1, Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
+        addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1,
+                Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
     }
 
     /** A sensor of the base that is tilted, or not where it should be, reads what the base does along its other axes. */
@@ -99,13 +100,15 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
             boolean turns = sensors.get(other).quantity() == Quantity.ANGULAR_RATE;
             if (other != axis && (turns || sensors.get(other).quantity() == Quantity.ACCELERATION)) {
                 String name = sensors.get(axis) + "_by_" + sensors.get(other);
-                addOfBase(evidence, new SmallError(turns ? Kind.AXIS_ARM : Kind.AXIS_TILT, SmallError.INPUT, name), -1, answer(evidence, axis, other));
+                addOfBase(evidence, new SmallError(turns ? Kind.AXIS_ARM : Kind.AXIS_TILT, SmallError.INPUT, name), -1,
+                        answer(evidence, axis, other));
             }
         }
     }
 
     private static double[][] answer(Evidence evidence, int axis, int as) {
-        return Arrays.stream(new Simulator(evidence.whole()).ofAxis(evidence.model().assembly(), axis, as)).map(evidence.whole()::series).toArray(double[][]::new);
+        return Arrays.stream(new Simulator(evidence.whole()).ofAxis(evidence.model().assembly(), axis, as)).map(evidence.whole()::series)
+                .toArray(double[][]::new);
     }
 
     /** @param series by output, of which an error of 1 adds this factor */

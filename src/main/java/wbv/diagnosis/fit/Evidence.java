@@ -98,8 +98,10 @@ public final class Evidence {
             boolean[] valid = valid(o);
             long counted = IntStream.range(window.start(), window.start() + window.length()).filter(i -> valid[i]).count();
             if (counted < LEAST_VALID * window.length()) {
-                throw new DataFault(String.format(Locale.ROOT, "between %.4g and %.4g s only %.0f %% of %s counts, the rest is lost there or in the input: "
-                        + "too little to %s; cut the recording, or take the sensor out of the model", window.start() / rate,
+                throw new DataFault(String.format(Locale.ROOT,
+                        "between %.4g and %.4g s only %.0f %% of %s counts, the rest is lost there or in the input: "
+                                + "too little to %s; cut the recording, or take the sensor out of the model",
+                        window.start() / rate,
                         (window.start() + window.length()) / rate, 100.0 * counted / window.length(), outputs().get(o), what));
             }
         }
@@ -132,7 +134,8 @@ public final class Evidence {
 
     /** Whether the model stands for a simulation that gave more than it does. */
     public boolean standsForSimulation() {
-        return Stream.concat(model().bodies().stream().map(Model.Body::faults), model().sensors().stream().map(Model.Sensor::faults)).flatMap(List::stream)
+        return Stream.concat(model().bodies().stream().map(Model.Body::faults), model().sensors().stream().map(Model.Sensor::faults))
+                .flatMap(List::stream)
                 .anyMatch(SensorFault.Beside.class::isInstance);
     }
 
@@ -383,7 +386,8 @@ public final class Evidence {
         for (int axis = 0; axis < base.size(); axis++) {
             Measured.InputNoise known = inputNoises().get(axis);
             int along = axis;
-            out.add(new InputWay(base.get(axis), Math.hypot(known.deviation(), heard(base.get(axis))), known.order(), () -> new Simulator(from).transmissibility(model, along)));
+            out.add(new InputWay(base.get(axis), Math.hypot(known.deviation(), heard(base.get(axis))), known.order(),
+                    () -> new Simulator(from).transmissibility(model, along)));
         }
         for (Model.Input input : onRig() ? model().inputs() : List.<Model.Input>of()) {
             double steps = Rounding.coarse(recording().values(input.sensor())).map(Rounding::noise).orElse(0.0);

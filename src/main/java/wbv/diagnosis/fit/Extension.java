@@ -40,7 +40,8 @@ record Extension(Assembly template, List<Knob> knobs) {
                 if (of instanceof Addition.Alike alike) {
                     tie(all, alike, faults.size() - 1);
                 } else {
-                    next = add(all, hypothesis, next, Slot.Kind.FAULT, of.output(), faults.size() - 1, Numbers.values((Record) of.fault()).length);
+                    next = add(all, hypothesis, next, Slot.Kind.FAULT, of.output(), faults.size() - 1,
+                            Numbers.values((Record) of.fault()).length);
                 }
             } else {
                 assembly = hide(assembly, (Addition.Hidden) addition);

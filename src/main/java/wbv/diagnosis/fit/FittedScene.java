@@ -25,7 +25,8 @@ public final class FittedScene {
 
     /** What may set a rig, and of these what moves nothing itself. */
     private static final Set<Quantity> SETS_ONLY = Set.of(Quantity.VOLTAGE, Quantity.TEMPERATURE);
-    private static final Set<Quantity> SETTING = Set.of(Quantity.VOLTAGE, Quantity.TEMPERATURE, Quantity.POSITION, Quantity.ANGLE, Quantity.FORCE);
+    private static final Set<
+            Quantity> SETTING = Set.of(Quantity.VOLTAGE, Quantity.TEMPERATURE, Quantity.POSITION, Quantity.ANGLE, Quantity.FORCE);
     /** Parts of a channel's range that are told apart: two for each number of the polynomial that takes most. */
     private static final int PARTS = 9;
     /** Of each of them, where a level may lie. */
@@ -57,7 +58,8 @@ public final class FittedScene {
     public static Scene of(Evidence evidence, Assembly fitted, Motion motion, double... lines) {
         FittedScene scene = new FittedScene(evidence, fitted, motion);
         Model model = evidence.model();
-        return new Scene(model, evidence.onRig(), fitted.structure(), IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
+        return new Scene(model, evidence.onRig(), fitted.structure(),
+                IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
                 IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
                 evidence::across, evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(),
                 lines, evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep(),
@@ -74,11 +76,14 @@ public final class FittedScene {
         if (!evidence.onRig()) {
             return List.of();
         }
-        Set<String> places = Stream.concat(evidence.outputs().stream(), model.excitations().stream()).map(Channel::location).collect(Collectors.toSet());
-        Set<Channel> used = fitted.drives().stream().map(Assembly.DriveAt::drive).filter(Drive.Given.class::isInstance).map(drive -> ((Drive.Given) drive).channel())
+        Set<String> places = Stream.concat(evidence.outputs().stream(), model.excitations().stream()).map(Channel::location)
+                .collect(Collectors.toSet());
+        Set<Channel> used = fitted.drives().stream().map(Assembly.DriveAt::drive).filter(Drive.Given.class::isInstance)
+                .map(drive -> ((Drive.Given) drive).channel())
                 .collect(Collectors.toSet());
         return evidence.recording().channels().stream().filter(channel -> SETTING.contains(channel.quantity()) && !used.contains(channel)
-                && (SETS_ONLY.contains(channel.quantity()) || channel.axis() != model.axis() && !places.contains(channel.location()))).flatMap(channel -> schedule(channel).stream()).toList();
+                && (SETS_ONLY.contains(channel.quantity()) || channel.axis() != model.axis() && !places.contains(channel.location())))
+                .flatMap(channel -> schedule(channel).stream()).toList();
     }
 
     private Optional<Scene.Schedule> schedule(Channel channel) {
@@ -126,7 +131,8 @@ public final class FittedScene {
             reached.put(side, quantiles(Arrays.stream(displacement)
                     .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray()));
         }
-        return new Scene.Link(index, evidence.model().links().get(index).name(), own, s.damping()[index], k, c, r, v, force, reached, quantiles(pull));
+        return new Scene.Link(index, evidence.model().links().get(index).name(), own, s.damping()[index], k, c, r, v, force, reached,
+                quantiles(pull));
     }
 
     private DoubleUnaryOperator quantiles(double[] x) {

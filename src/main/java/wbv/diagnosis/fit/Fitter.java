@@ -81,7 +81,8 @@ public final class Fitter {
      * are compared so before the best are fitted in full.
      */
     public Fitter about(State base) {
-        return new Fitter(evidence, excitation, response(base.candidate(), base.x(), Sensitivities.NONE, Optional.empty()).flatMap(Simulator.Response::bends));
+        return new Fitter(evidence, excitation,
+                response(base.candidate(), base.x(), Sensitivities.NONE, Optional.empty()).flatMap(Simulator.Response::bends));
     }
 
     /** The same fitter of another look at the same recording, which need not run again what is known. */
@@ -101,7 +102,8 @@ public final class Fitter {
      * @param slopes whitened derivative of the residual to each coordinate; empty where it was not asked for
      * @param frame  whitening and errors that all this stands in
      */
-    public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes, Frame frame) {
+    public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes,
+            Frame frame) {
 
         /**
          * Where a candidate cannot be simulated: its cost is infinite, all its arrays but x are empty.
@@ -144,23 +146,27 @@ public final class Fitter {
     }
 
     /** What a residual is seen through. @param x where it was made. Not a copy */
-    public record Frame(Whitening whitening, Nuisances nuisances, double[] x) { }
+    public record Frame(Whitening whitening, Nuisances nuisances, double[] x) {}
 
     /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. @param x Not modified. */
     public Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
-        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, Sensitivities.NONE, Optional.empty()) : Optional.empty();
-        ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response)).orElseGet(() -> new ErrorShapes(List.of(), List.of()));
+        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, Sensitivities.NONE, Optional.empty())
+                : Optional.empty();
+        ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response))
+                .orElseGet(() -> new ErrorShapes(List.of(), List.of()));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;
         }
-        State there = ran.or(() -> response(candidate, x, Sensitivities.NONE, Optional.empty())).map(response -> state(candidate, x, first, response, NO_SLOPES, false)).orElseGet(() -> State.failed(candidate, x, first));
+        State there = ran.or(() -> response(candidate, x, Sensitivities.NONE, Optional.empty()))
+                .map(response -> state(candidate, x, first, response, NO_SLOPES, false)).orElseGet(() -> State.failed(candidate, x, first));
         if (there.failed()) {
             return first;
         }
         // A sensor that is late is late for what reaches all sensors too.
-        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
+        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors()))
+                : first;
         boolean[] off = first.nuisances().off(candidate);
         double[] errors = first.nuisances().likeliest(there.errors(), off);
         return new Frame(second.whitening(), second.nuisances().bounded(there.raw(), off).around(errors), x);
@@ -210,7 +216,8 @@ public final class Fitter {
 
     /** @param known derivatives to the first of the numbers; to none: they are worked out */
     private State fit(Candidate candidate, double[] start, Frame frame, double[][] known, int most, double tolerance) {
-        Optional<Simulator.Response> begun = response(candidate, start, known.length > 0 ? Sensitivities.OWN : Sensitivities.ALL, Optional.empty());
+        Optional<Simulator.Response> begun = response(candidate, start, known.length > 0 ? Sensitivities.OWN : Sensitivities.ALL,
+                Optional.empty());
         if (begun.isEmpty()) {
             return State.failed(candidate, start, frame);
         }
@@ -231,7 +238,9 @@ public final class Fitter {
      */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, Sensitivities.ALL, Optional.empty());
-        return begun.map(response -> descended(state(candidate, start.clone(), frame, response, NO_SLOPES, true), true, response.bends(), most, tolerance))
+        return begun
+                .map(response -> descended(state(candidate, start.clone(), frame, response, NO_SLOPES, true), true, response.bends(), most,
+                        tolerance))
                 .orElseGet(() -> State.failed(candidate, start, frame));
     }
 
@@ -254,13 +263,14 @@ public final class Fitter {
             damping = better == from ? 1e-3 : Math.max(step.damping() / 8, 1e-7);
             fresh = settled || !isApart(better.candidate());
             earlier = fresh ? Optional.empty() : Optional.of(followed);
-            state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(), bends);
+            state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(),
+                    bends);
         }
         return state;
     }
 
     /** Where a step leads that lowers the cost, and the damping that it takes. */
-    private record Step(State to, double damping) { }
+    private record Step(State to, double damping) {}
 
     /** To where the equations stand already, if no step lowers the cost. */
     private Step step(Normal normal, double first, Optional<Simulator.Bends> bends) {
@@ -282,7 +292,8 @@ public final class Fitter {
      */
     private static boolean isApart(Candidate candidate) {
         int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
-        return added > 0 && candidate.knobs().size() - added >= MANY && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
+        return added > 0 && candidate.knobs().size() - added >= MANY
+                && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
     }
 
     private static boolean isOwn(Candidate candidate, int knob) {
@@ -317,14 +328,17 @@ public final class Fitter {
     }
 
     /** @param known derivatives that are not worked out, where some are */
-    private State state(Candidate candidate, double[] x, Frame frame, Sensitivities sensitivities, double[][] known, Optional<Simulator.Bends> bends) {
+    private State state(Candidate candidate, double[] x, Frame frame, Sensitivities sensitivities, double[][] known,
+            Optional<Simulator.Bends> bends) {
         double[][] kept = sensitivities == Sensitivities.OWN ? known : NO_SLOPES;
-        return response(candidate, x, sensitivities, bends).map(response -> state(candidate, x, frame, response, kept, sensitivities != Sensitivities.NONE))
+        return response(candidate, x, sensitivities, bends)
+                .map(response -> state(candidate, x, frame, response, kept, sensitivities != Sensitivities.NONE))
                 .orElseGet(() -> State.failed(candidate, x, frame));
     }
 
     /** What a candidate does; empty where it left all bounds. */
-    private Optional<Simulator.Response> response(Candidate candidate, double[] x, Sensitivities sensitivities, Optional<Simulator.Bends> bends) {
+    private Optional<Simulator.Response> response(Candidate candidate, double[] x, Sensitivities sensitivities,
+            Optional<Simulator.Bends> bends) {
         Optional<Simulator.Bends> given = bends.or(() -> held);
         Optional<Ran> known = given.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
         if (known.filter(last -> last.has(sensitivities)).isPresent()) {
@@ -364,7 +378,8 @@ public final class Fitter {
         }
         double[][] columns = new double[slopes ? x.length : 0][];
         Parallel.each(columns.length, i -> columns[i] = i < known.length && !isOwn(candidate, i) ? known[i]
-                : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
+                : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]),
+                        frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), columns, frame);
     }

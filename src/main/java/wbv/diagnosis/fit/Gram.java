@@ -8,7 +8,7 @@ public final class Gram {
     /** Numbers of each vector that are multiplied before the next ones are fetched: so many of all vectors stay near the processor. */
     private static final int BLOCK = 64;
 
-    private Gram() { }
+    private Gram() {}
 
     /** The product of each pair. @param vectors of the same length each. Not modified. @return symmetric */
     public static double[][] of(double[][] vectors) {
@@ -73,7 +73,8 @@ public final class Gram {
         }
     }
 
-    private static void addFour(double[] all0, double[] all1, double[] all2, double[] all3, double[] other, int at, int asked, double[] row) {
+    private static void addFour(double[] all0, double[] all1, double[] all2, double[] all3, double[] other, int at, int asked,
+            double[] row) {
         double x0 = other[at];
         double x1 = other[at + 1];
         double x2 = other[at + 2];

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 public record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation, List<Tied> tied) {
 
     /** A number that is a knob's value times a factor. */
-    record Tied(Slot slot, double factor) { }
+    record Tied(Slot slot, double factor) {}
 
     /** One of a single number. */
     public Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
@@ -48,7 +48,8 @@ public record Knob(String name, Slot slot, double reference, double unit, double
 
     /** With another number that goes with it. */
     Knob tied(Slot other, double factor) {
-        return new Knob(name, slot, reference, unit, low, high, deviation, Stream.concat(tied.stream(), Stream.of(new Tied(other, factor))).toList());
+        return new Knob(name, slot, reference, unit, low, high, deviation,
+                Stream.concat(tied.stream(), Stream.of(new Tied(other, factor))).toList());
     }
 
     /** Whose number it is. */

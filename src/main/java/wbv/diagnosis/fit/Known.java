@@ -18,7 +18,7 @@ public final class Known {
     private final Map<At, List<Ignoring>> places = new ConcurrentHashMap<>();
 
     /** A model at coordinates; each is itself and equal to no copy. */
-    private record At(Candidate on, double[] x) { }
+    private record At(Candidate on, double[] x) {}
 
     /** A part that is shaken hard, see {@link Evidence#brief}. */
     Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
@@ -37,7 +37,7 @@ public final class Known {
      * @param x where the model fits then
      * @param reduced what is left, of what still shows
      */
-    public record Ignoring(List<Place> places, double[] x, double reduced) { }
+    public record Ignoring(List<Place> places, double[] x, double reduced) {}
 
     /**
      * All places one by one.

@@ -75,7 +75,8 @@ public final class Measured {
         this.recording = onRig ? recording : SitterRate.usual(recording);
         sample = recording.clock().step();
         chosen = provedFrom.isPresent();
-        split = chosen ? (int) this.recording.clock().nearest(provedFrom.getAsDouble()) : (int) Math.round(FIT_SHARE * this.recording.length());
+        split = chosen ? (int) this.recording.clock().nearest(provedFrom.getAsDouble())
+                : (int) Math.round(FIT_SHARE * this.recording.length());
         longEnough();
         Admission.moving(model, recording);
         int n = this.recording.length();
@@ -119,7 +120,8 @@ public final class Measured {
      */
     private InputNoise furtherNoise(Channel sensor) {
         boolean alike = model.base().sensor().map(first -> first.quantity() == sensor.quantity()).orElse(false);
-        return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), Excitation.order(sensor.quantity()));
+        return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)),
+                Excitation.order(sensor.quantity()));
     }
 
     /**
@@ -163,14 +165,18 @@ public final class Measured {
         }
         int fewest = onRig ? FEWEST_ON_A_RIG : FEWEST;
         if (n < fewest) {
-            throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %d samples at %.4g Hz, which are %.1f s; the recording has %.1f s",
+            throw new DataFault(String.format(Locale.ROOT,
+                    "a diagnosis needs at least %d samples at %.4g Hz, which are %.1f s; the recording has %.1f s",
                     fewest, rate, fewest / rate, n / rate));
         }
         OptionalDouble slowest = onRig ? model.assembly().structure().slowestMode() : OptionalDouble.empty();
         slowest.ifPresent(f -> {
             if (n / rate * f < PERIODS_ON_A_RIG) {
-                throw new DataFault(String.format(Locale.ROOT, "a diagnosis of a rig needs at least %.0f periods of its slowest mode, which the model has at "
-                        + "%.3g Hz: %.3g s; the recording has %.3g s", PERIODS_ON_A_RIG, f, PERIODS_ON_A_RIG / f, n / rate));
+                throw new DataFault(
+                        String.format(Locale.ROOT,
+                                "a diagnosis of a rig needs at least %.0f periods of its slowest mode, which the model has at "
+                                        + "%.3g Hz: %.3g s; the recording has %.3g s",
+                                PERIODS_ON_A_RIG, f, PERIODS_ON_A_RIG / f, n / rate));
             }
         });
     }
@@ -189,11 +195,14 @@ public final class Measured {
             }
             noise[o] = stated.orElse(floor);
         }
-        boolean alike = !computed && outputs.stream().anyMatch(output -> model.base().sensor().filter(base -> base.quantity() == output.quantity()).isPresent());
+        boolean alike = !computed && outputs.stream()
+                .anyMatch(output -> model.base().sensor().filter(base -> base.quantity() == output.quantity()).isPresent());
         // An encoder at the input is no better than the one at the output; and what reads in steps is known to a step.
         double own = model.base().sensor().filter(base -> !model.driven() && !computed)
-                .map(base -> Math.max(alike && Excitation.order(base.quantity()) > 0 ? level.bound(Excitation.bridged(recording.values(base))) : 0,
-                        Rounding.coarse(recording.values(base)).map(Rounding::noise).orElse(0.0))).orElse(0.0);
+                .map(base -> Math.max(
+                        alike && Excitation.order(base.quantity()) > 0 ? level.bound(Excitation.bridged(recording.values(base))) : 0,
+                        Rounding.coarse(recording.values(base)).map(Rounding::noise).orElse(0.0)))
+                .orElse(0.0);
         return alike && !model.driven() && stated.isPresent() ? stated.getAsDouble() : own;
     }
 
@@ -204,8 +213,9 @@ public final class Measured {
                 + "' has no sensor; name the channel that measures the excitation"));
         boolean moved = base.quantity() != Quantity.ACCELERATION;
         if (stated.isEmpty() && recording.clock().rate() < SLOWEST) {
-            throw new DataFault(String.format(Locale.ROOT, "sampled at %.4g Hz the recording has no band above the excitation to read the noise from; "
-                    + "%.0f Hz or more is needed, or say how noisy its sensors are (--noise)", recording.clock().rate(), SLOWEST));
+            throw new DataFault(
+                    String.format(Locale.ROOT, "sampled at %.4g Hz the recording has no band above the excitation to read the noise from; "
+                            + "%.0f Hz or more is needed, or say how noisy its sensors are (--noise)", recording.clock().rate(), SLOWEST));
         }
         boolean alike = !computed && outputs.stream().anyMatch(output -> output.quantity() == base.quantity());
         double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : unshared(level, base);
@@ -346,8 +356,10 @@ public final class Measured {
 
     /** Channels of another kind, or of other axes than the sensor's own, that were recorded where it is. */
     List<Channel> companions(Channel sensor, Quantity quantity) {
-        return recording.channels().stream().filter(channel -> channel.location().equals(sensor.location()) && channel.quantity() == quantity
-                && channel.axis() != sensor.axis()).toList();
+        return recording.channels().stream()
+                .filter(channel -> channel.location().equals(sensor.location()) && channel.quantity() == quantity
+                        && channel.axis() != sensor.axis())
+                .toList();
     }
 
     /** Channels of other axes than the model's that may act beside the input: recorded at a place, and no part of the model. */

@@ -45,8 +45,10 @@ public final class NoiseLevel {
         }
         levels.removeIf(level -> !(level > 0));   // an axis that was not recorded
         if (levels.isEmpty()) {
-            throw new DataFault(String.format(Locale.ROOT, "%s has no noise between %.3g and %.3g Hz that others could be judged by: was it recorded "
-                    + "whole, and with its own rounding? say how noisy it is (--noise)", channel, LOW * recording.clock().rate(),
+            throw new DataFault(String.format(Locale.ROOT,
+                    "%s has no noise between %.3g and %.3g Hz that others could be judged by: was it recorded "
+                            + "whole, and with its own rounding? say how noisy it is (--noise)",
+                    channel, LOW * recording.clock().rate(),
                     HIGH * recording.clock().rate()));
         }
         return median(levels.stream().mapToDouble(Double::doubleValue).toArray());

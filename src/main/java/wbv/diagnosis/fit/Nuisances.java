@@ -72,7 +72,8 @@ public final class Nuisances {
 
     /** Sum of the squares of all errors of ways, in what is known of them. */
     private double size(double[] sizes) {
-        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).kind() == SmallError.Kind.WAY).mapToDouble(i -> Math.pow(way * sizes[i], 2)).sum();
+        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).kind() == SmallError.Kind.WAY)
+                .mapToDouble(i -> Math.pow(way * sizes[i], 2)).sum();
     }
 
     private Nuisances scaled(double factor) {
@@ -97,7 +98,8 @@ public final class Nuisances {
         return errors.get(i).kind() == SmallError.Kind.WAY ? way : 1;
     }
 
-    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays, double way) {
+    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays,
+            double way) {
         this.window = window;
         this.sample = sample;
         this.errors = errors;
@@ -277,7 +279,7 @@ public final class Nuisances {
     }
 
     /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
-    record Explained(double[] errors, double square) { }
+    record Explained(double[] errors, double square) {}
 
     /**
      * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds. Those that would leave them stay there, and are

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
  */
 public final class Parallel {
 
-    private Parallel() { }
+    private Parallel() {}
 
     /** The answers to all questions. */
     public static <T, R> List<R> map(List<T> questions, Function<? super T, ? extends R> answer) {

@@ -26,7 +26,8 @@ public final class Readings {
         Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
         Nuisances nuisances = state.frame().nuisances();
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
-        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), run.outputs().length);
+        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
+                run.outputs().length);
         double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();
         ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), framed,
@@ -36,13 +37,14 @@ public final class Readings {
             SmallError error = nuisances.error(i);
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
-                case DELAY -> { }   // exact, above
+                case DELAY -> {}   // exact, above
                 case AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM -> {
                     for (int o = 0; o < out.length; o++) {
                         add(out[o], sizes[i], all.shapes().get(i)[o]);
                     }
                 }
-                case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], nuisances.scale(i) * sizes[i], all.shapes().get(i)[error.owner()]);
+                case TILT, SWAY, HEIGHT, ARM, WAY ->
+                    add(out[error.owner()], nuisances.scale(i) * sizes[i], all.shapes().get(i)[error.owner()]);
             }
         }
         for (int o = 0; o < out.length; o++) {
@@ -57,8 +59,9 @@ public final class Readings {
     /** Where a constant does not count, it is what the data of the fit have. @param read modified */
     private void level(int output, double[] read) {
         Window fit = evidence.fit();
-        double off = evidence.isLevelled(output) ? IntStream.range(fit.start(), fit.start() + fit.length()).filter(i -> evidence.valid(output)[i])
-                .mapToDouble(i -> evidence.measured(output)[i] - read[i]).average().orElse(0) : 0;
+        double off = evidence.isLevelled(
+                output) ? IntStream.range(fit.start(), fit.start() + fit.length()).filter(i -> evidence.valid(output)[i])
+                        .mapToDouble(i -> evidence.measured(output)[i] - read[i]).average().orElse(0) : 0;
         for (int i = 0; i < read.length; i++) {
             read[i] += off;
         }

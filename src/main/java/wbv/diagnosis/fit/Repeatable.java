@@ -21,7 +21,7 @@ public final class Repeatable {
     private static final double[] WIDTHS = {0.5, 0.2, 0.08, 0.03};
     private static final double POSITION = 0.3;
 
-    private Repeatable() { }
+    private Repeatable() {}
 
     /**
      * Standard deviation of what does not repeat [N]; 0 where the record is too short to tell.

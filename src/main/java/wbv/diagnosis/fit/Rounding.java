@@ -70,7 +70,8 @@ public record Rounding(double step, double level) {
     public static Optional<Rounding> coarse(double[] x) {
         double[] there = Arrays.stream(x).filter(value -> !Double.isNaN(value)).toArray();
         double[] centred = Measured.centred(there);
-        return of(x).filter(steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
+        return of(x).filter(
+                steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
     }
 
     /** Standard deviation of what it adds to a signal that crosses many steps, in the step's unit (Widrow 1956). */

@@ -24,7 +24,7 @@ final class SitterRate {
     /** Part of the samples about a moment that may be lost. */
     private static final double LOST = 0.25;
 
-    private SitterRate() { }
+    private SitterRate() {}
 
     /** The recording at the usual rate, lost samples NaN; itself where it is no faster. */
     static Recording usual(Recording recording) {

@@ -16,12 +16,13 @@ public final class SpectralLines {
     /** Among ten thousand lines of noise in two or more outputs none is as strong, beside the median. */
     private static final double OUTSTANDING = 20;
 
-    private SpectralLines() { }
+    private SpectralLines() {}
 
     /** The frequencies. @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
     public static double[] of(double[] residual, Window window) {
         double[] prominence = prominence(residual, window);
-        List<Integer> order = IntStream.range(0, prominence.length).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i])).limit(LOOKED_AT).toList();
+        List<Integer> order = IntStream.range(0, prominence.length).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i]))
+                .limit(LOOKED_AT).toList();
         List<Double> found = new ArrayList<>();
         for (int line : order) {
             double f = window.frequency(line);

@@ -27,7 +27,7 @@ final class WrongWay {
     /** The slowest mode of a sitter, fore and aft [rad/s]. */
     private static final double SLOWEST = 2 * Math.PI * 1.5;
 
-    private WrongWay() { }
+    private WrongWay() {}
 
     /**
      * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where
@@ -38,7 +38,8 @@ final class WrongWay {
     static ErrorShapes of(Evidence evidence, Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         int[] links = candidate.added().stream().flatMap(hypothesis -> hypothesis.additions().stream())
-                .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link()).distinct().toArray();
+                .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link())
+                .distinct().toArray();
         if (!candidate.freeWays() || links.length == 0) {
             return all;
         }

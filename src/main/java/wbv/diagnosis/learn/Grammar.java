@@ -145,8 +145,9 @@ final class Grammar {
 
     /** Whether a hypothesis would only be another coefficient of a term. */
     private static boolean alike(Hypothesis hypothesis, Learned law) {
-        return hypothesis.additions().stream().anyMatch(addition -> addition instanceof Hypothesis.Addition.InLink in && in.law() instanceof Learned own
-                && own.getClass() == law.getClass() && own.kind().equals(law.kind()) && own.modulator().equals(law.modulator()));
+        return hypothesis.additions().stream()
+                .anyMatch(addition -> addition instanceof Hypothesis.Addition.InLink in && in.law() instanceof Learned own
+                        && own.getClass() == law.getClass() && own.kind().equals(law.kind()) && own.modulator().equals(law.modulator()));
     }
 
     private static double[] scaled(double[] times, double factor) {
@@ -166,7 +167,8 @@ final class Grammar {
     private Hypothesis knee(Shape of, Law.Side side) {
         double rms = of.equals(Shape.SPEED) ? v : r;
         double unit = unit(of);
-        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit, List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
+        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit,
+                List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
                 Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
     }
 
@@ -189,7 +191,8 @@ final class Grammar {
             start[i] = unit;
         }
         LearnedTable law = new LearnedTable(of, step, unit, unit, unit, unit, unit, unit);
-        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), Hypothesis.Number.named(LearnedTable.class, numbers),
+        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
+                Hypothesis.Number.named(LearnedTable.class, numbers),
                 List.of(new Hypothesis.Start(start, IntStream.rangeClosed(1, TABLED).mapToObj(i -> new int[] {i}).toList())));
     }
 
@@ -199,7 +202,8 @@ final class Grammar {
 
     private Hypothesis course(Shape shape, LearnedCourse.Course course, double[] times) {
         double unit = unit(shape);
-        Hypothesis.Number time = course == LearnedCourse.Course.STEP ? new Hypothesis.Number("time_s", 0.02 * seconds, 0.02 * seconds, 0.98 * seconds)
+        Hypothesis.Number time = course == LearnedCourse.Course.STEP
+                ? new Hypothesis.Number("time_s", 0.02 * seconds, 0.02 * seconds, 0.98 * seconds)
                 : new Hypothesis.Number("time_s", 0, 0.02 * seconds, 20 * seconds);
         return hypothesis(new LearnedCourse(shape, course, unit, times[0]), unit, List.of(time),
                 Arrays.stream(times).mapToObj(at -> new Hypothesis.Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
@@ -215,8 +219,10 @@ final class Grammar {
         List<Hypothesis.Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Hypothesis.Start(
                 new double[] {unit, unit, SLOWEST + i * apart}, List.of(new int[] {0}, new int[] {1}))).toList();
         return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
-                List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit), new Hypothesis.Number("sine" + tail, unit, -300 * unit, 300 * unit),
-                        new Hypothesis.Number("frequency_hz", 0.01, 0.5 * SLOWEST, 2 * FASTEST)), starts);
+                List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit),
+                        new Hypothesis.Number("sine" + tail, unit, -300 * unit, 300 * unit),
+                        new Hypothesis.Number("frequency_hz", 0.01, 0.5 * SLOWEST, 2 * FASTEST)),
+                starts);
     }
 
     private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Hypothesis.Start> starts) {
@@ -271,7 +277,8 @@ final class Grammar {
             if (across && channel.quantity() == Quantity.ACCELERATION) {
                 out.add(new Modulator.Measured(channel));
                 evidence.model().base().sensor().map(base -> new Channel(base.location(), Quantity.ACCELERATION, channel.axis()))
-                        .filter(base -> !base.equals(channel) && evidence.recording().has(base)).ifPresent(base -> out.add(new Modulator.Lean(channel, base)));
+                        .filter(base -> !base.equals(channel) && evidence.recording().has(base))
+                        .ifPresent(base -> out.add(new Modulator.Lean(channel, base)));
             } else if (channel.quantity() == Quantity.ANGULAR_RATE) {
                 out.add(new Modulator.Measured(channel));
                 out.add(new Modulator.Angle(channel));

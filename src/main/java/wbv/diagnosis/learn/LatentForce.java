@@ -35,7 +35,7 @@ public final class LatentForce {
      * @param lowest       frequency from which on it is known [Hz]
      */
     record Estimate(double[] force, double[] law, double[] seenLaw, double[] stretch, double[] acceleration, double pointNoise,
-                    double lowest) { }
+            double lowest) {}
 
     /**
      * @param counted samples at which the outputs were measured. Not modified.

@@ -116,8 +116,12 @@ public final class LawLearner {
         }
         Fitter.State least = sentences.stream().map(Sentence::fit).min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
         double without = search.fitter().look(base.candidate(), base.x(), least.frame()).cost();
-        return Parallel.map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
-                least.frame()).cost(), sentence.of(), evidence.onRig() ? least.reduced() : Math.max(1, least.reduced()))).stream()
+        return Parallel
+                .map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(),
+                        without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
+                                least.frame()).cost(),
+                        sentence.of(), evidence.onRig() ? least.reduced() : Math.max(1, least.reduced())))
+                .stream()
                 .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
 
@@ -155,12 +159,14 @@ public final class LawLearner {
     /** Links in which all that is missing could enter. */
     private List<Integer> links() {
         int count = evidence.model().links().size();
-        List<Integer> named = base.candidate().added().stream().map(Place::of).filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().toList();
+        List<Integer> named = base.candidate().added().stream().map(Place::of).filter(place -> place.kind() == Place.Kind.LINK)
+                .map(Place::index).distinct().toList();
         if (!named.isEmpty() || places.isEmpty()) {
             return named.isEmpty() ? IntStream.range(0, count).boxed().toList() : named;
         }
         double reach = Locator.reach(places, NEAR);
-        return places.stream().filter(found -> found.reduced() <= reach).map(found -> found.places().get(0).plain(base.candidate().template()))
+        return places.stream().filter(found -> found.reduced() <= reach)
+                .map(found -> found.places().get(0).plain(base.candidate().template()))
                 .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(LINKS).toList();
     }
 
@@ -187,7 +193,8 @@ public final class LawLearner {
     /** A sentence whose modulators have limits, one after the other where that is better. */
     private List<Sentence> limited(Sentence sentence, int link) {
         Assembly assembly = base.candidate().at(base.x());
-        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), new ModulatorSeries(evidence.excitation(), assembly), link);
+        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly),
+                new ModulatorSeries(evidence.excitation(), assembly), link);
         List<Sentence> out = new ArrayList<>();
         Sentence best = sentence;
         for (int i = 0; i < sentence.terms().size(); i++) {
@@ -230,7 +237,8 @@ public final class LawLearner {
     }
 
     /** @param words of the grammar */
-    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Function<Grammar, List<Hypothesis>> words, Predicate<Hypothesis> open) {
+    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Function<Grammar, List<Hypothesis>> words,
+            Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
         Fitter.State scored = fitter.lookWithSlopes(on, x, base.frame());
         if (scored.failed()) {
@@ -243,11 +251,13 @@ public final class LawLearner {
         List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
         // What does not pay for its choice and its numbers to first order is not begun.
-        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0).toList();
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0)
+                .toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
-        List<Sentence> begun = weighed(Parallel.map(proposals, proposal -> begun(scored, sentences, proposal)).stream().filter(state -> !state.failed())
-                .map(state -> begun(state, terms.size())).toList());
+        List<Sentence> begun = weighed(
+                Parallel.map(proposals, proposal -> begun(scored, sentences, proposal)).stream().filter(state -> !state.failed())
+                        .map(state -> begun(state, terms.size())).toList());
         if (likely.isEmpty()) {
             likely.addAll(sentences.likely());
         }
@@ -283,7 +293,8 @@ public final class LawLearner {
     /** Fitted on, in the whitening of its own model. */
     private Fitter.State settled(Fitter.State state) {
         Fitter fitter = search.fitter();
-        return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()),
+                runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
     }
 
     private static boolean runsFree(Candidate candidate) {
@@ -302,7 +313,8 @@ public final class LawLearner {
      * @param degrees of freedom of the data
      */
     static double price(double gain, int chosen, int of, int numbers, double degrees) {
-        return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+        return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of)
+                + 0.5 * numbers * Math.log(degrees);
     }
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
@@ -327,7 +339,8 @@ public final class LawLearner {
      */
     public static boolean lacks(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
-        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw)
+                && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
     }
 
     private static boolean leavesMuch(Fits named) {
@@ -350,8 +363,10 @@ public final class LawLearner {
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
         double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
-        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT).filter(sentence -> sentence.fit().reduced() < reach)
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
+        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+                .filter(sentence -> sentence.fit().reduced() < reach)
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(),
+                        sentence.unit()))
                 .filter(sentence -> {
                     boolean evident = parts == 0 || isCorrection() || outweighs(sentence, name);
                     return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
@@ -365,7 +380,8 @@ public final class LawLearner {
      */
     private boolean outweighs(Sentence sentence, Chosen name) {
         double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
-        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name, search.refinement().heldOut(name.fit()));
+        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
+                search.refinement().heldOut(name.fit()));
     }
 
     /**
@@ -388,7 +404,8 @@ public final class LawLearner {
         double[] with = later.look(fit.candidate(), fit.x(), evidence.heldOut()).residual();
         double[] without = later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut())).residual();
         double[] less = new double[with.length / 2];
-        Arrays.setAll(less, line -> Math.pow(without[2 * line], 2) + Math.pow(without[2 * line + 1], 2) - Math.pow(with[2 * line], 2) - Math.pow(with[2 * line + 1], 2));
+        Arrays.setAll(less, line -> Math.pow(without[2 * line], 2) + Math.pow(without[2 * line + 1], 2) - Math.pow(with[2 * line], 2)
+                - Math.pow(with[2 * line + 1], 2));
         return StatUtils.mean(less) > 0 && new TTest().tTest(0, less) < 2 * Priors.USUAL.chance();
     }
 }

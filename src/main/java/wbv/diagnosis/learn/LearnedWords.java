@@ -119,7 +119,8 @@ public final class LearnedWords {
         if (modulator instanceof Modulator.None) {
             return "";
         }
-        return (limited ? " " : " × ") + (modulator.otherLink().map(other -> modulator.toString().replace("link " + (other.link() + 1), model.links().get(other.link()).name()))
+        return (limited ? " " : " × ") + (modulator.otherLink()
+                .map(other -> modulator.toString().replace("link " + (other.link() + 1), model.links().get(other.link()).name()))
                 .orElse(modulator.toString()));
     }
 }

@@ -11,7 +11,8 @@ import wbv.diagnosis.fit.Evidence;
  * @param effort what it carries
  * @param force     its unit @param stiff from N/m, or N m/rad, to the unit shown @param stiffness its unit @param damping unit of a damping
  */
-public record LinkScale(double turn, String deflection, String velocity, String effort, String force, double stiff, String stiffness, String damping) {
+public record LinkScale(double turn, String deflection, String velocity, String effort, String force, double stiff, String stiffness,
+        String damping) {
 
     static final LinkScale ALONG = new LinkScale(1e3, "mm", "mm/s", "Force", "N", 1e-3, "kN/m", "N·s/m");
     /** About an axis a link turns and carries a moment. */

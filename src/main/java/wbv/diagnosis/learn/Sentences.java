@@ -44,7 +44,8 @@ final class Sentences {
         this.state = state;
         this.link = link;
         this.screening = new Screening(evidence, state, motion, modulators);
-        this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))), screening.rest(screening.direction(link, motion.velocity(link))));
+        this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))),
+                screening.rest(screening.direction(link, motion.velocity(link))));
     }
 
     /**
@@ -62,7 +63,7 @@ final class Sentences {
     }
 
     /** A term at a start. @param columns what its amplitudes do */
-    private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) { }
+    private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) {}
 
     /**
      * Proposals, most worth first, no two of the same kinds of terms.
@@ -75,7 +76,8 @@ final class Sentences {
         List<Column> columns = new ArrayList<>();
         List<Column> firsts = new ArrayList<>();
         Parallel.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
-                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT).forEach(starts -> {
+                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT)
+                .forEach(starts -> {
                     firsts.add(starts.get(0));
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
                     likely.add(starts.get(0).term().form());
@@ -115,8 +117,10 @@ final class Sentences {
     }
 
     private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
-        List<Screening.Rest> rests = start.columns().stream().map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
-                only(start, column)))).toList();
+        List<Screening.Rest> rests = start.columns().stream()
+                .map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
+                        only(start, column))))
+                .toList();
         if (rests.stream().anyMatch(Screening.Rest::isOld)) {
             return Optional.empty();
         }
@@ -131,7 +135,8 @@ final class Sentences {
 
     /** A term whose last number, a frequency, a moment or a knee, is moved from its start to where it gains most. */
     private Column refined(Column column) {
-        double[] starts = column.term().starts().stream().mapToDouble(start -> start.values()[start.values().length - 1]).sorted().toArray();
+        double[] starts = column.term().starts().stream().mapToDouble(start -> start.values()[start.values().length - 1]).sorted()
+                .toArray();
         if (starts.length < 2) {
             return column;
         }

@@ -41,6 +41,7 @@ record Asymmetry() implements Mechanism {
     }
 
     private Hypothesis square(Scene.Link link, String form, double even, double most) {
-        return Hypothesis.law(this, link, form, new QuadraticSpring(even), List.of(sum(even, -most * even, most * even)), List.of(scaled(even)));
+        return Hypothesis.law(this, link, form, new QuadraticSpring(even), List.of(sum(even, -most * even, most * even)),
+                List.of(scaled(even)));
     }
 }

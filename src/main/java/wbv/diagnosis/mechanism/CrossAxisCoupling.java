@@ -26,7 +26,8 @@ record CrossAxisCoupling() implements Mechanism {
     private static final double[] SWINGS = {1, 2, 4};
     private static final double SWING_DAMPING = 0.4;
     /** Stiffness across [N/m], frequency [Hz] and damping ratio of the swing, height [m]: bounds far beyond a person's. */
-    private static final List<Number> NUMBERS = List.of(sum(UNIT, -1e6, 1e6), Number.factor(0.5, 10), Number.factor(0.05, 2), sum(0.5, -3, 3));
+    private static final List<
+            Number> NUMBERS = List.of(sum(UNIT, -1e6, 1e6), Number.factor(0.5, 10), Number.factor(0.05, 2), sum(0.5, -3, 3));
 
     @Override
     public Entry entry() {
@@ -45,15 +46,19 @@ record CrossAxisCoupling() implements Mechanism {
         List<Hypothesis> out = new ArrayList<>();
         for (char axis : "xyz".toCharArray()) {
             Optional<Channel> floor = along(axis, scene.across(base, Quantity.ACCELERATION));
-            Optional<Channel> rate = scene.across(base, Quantity.ANGULAR_RATE).stream().filter(channel -> channel.axis() != axis).findFirst();
+            Optional<Channel> rate = scene.across(base, Quantity.ANGULAR_RATE).stream().filter(channel -> channel.axis() != axis)
+                    .findFirst();
             Optional<Channel> below = along(axis, scene.across(lower, Quantity.ACCELERATION));
             Optional<Channel> above = along(axis, scene.across(upper, Quantity.ACCELERATION));
             if (below.isPresent() && above.isPresent()) {
-                out.add(new Hypothesis(this, link.name(), String.valueOf(axis), List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(above.get(), below.get(), UNIT))),
+                out.add(new Hypothesis(this, link.name(), String.valueOf(axis),
+                        List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(above.get(), below.get(), UNIT))),
                         List.of(sum(UNIT, -1e6, 1e6).named("cross_stiffness_N_per_m")), List.of(scaled(UNIT))));
             } else if (floor.isPresent() && rate.isPresent()) {
-                below.map(end -> swinging(link, axis, new Drive.UpperSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0))).ifPresent(out::add);
-                above.map(end -> swinging(link, axis, new Drive.LowerSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0))).ifPresent(out::add);
+                below.map(end -> swinging(link, axis, new Drive.UpperSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0)))
+                        .ifPresent(out::add);
+                above.map(end -> swinging(link, axis, new Drive.LowerSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0)))
+                        .ifPresent(out::add);
             }
         }
         out.addAll(pushes(scene, link.name(), upper, across -> new Addition.Driven(link.index(), new Drive.AcrossLink(across, 1))));
@@ -65,7 +70,8 @@ record CrossAxisCoupling() implements Mechanism {
     }
 
     private Hypothesis swinging(Scene.Link link, char axis, Drive swings) {
-        return new Hypothesis(this, link.name(), String.valueOf(axis), List.of(new Addition.Driven(link.index(), swings)), Number.named(swings.getClass(), NUMBERS),
+        return new Hypothesis(this, link.name(), String.valueOf(axis), List.of(new Addition.Driven(link.index(), swings)),
+                Number.named(swings.getClass(), NUMBERS),
                 Start.grid(SWINGS, frequency -> Start.of(new double[] {UNIT, frequency, SWING_DAMPING, 0}, new int[] {0})));
     }
 

@@ -36,7 +36,7 @@ record DryFriction() implements Mechanism {
         double r = link.deflection();
         double v = link.speed();
         return List.of(Hypothesis.law(this, link, "", new CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
-                        grid(new double[] {0.02, 0.15}, q -> Start.of(new double[] {1, Math.max(3e-4, q * v)}, new int[] {0}))),
+                grid(new double[] {0.02, 0.15}, q -> Start.of(new double[] {1, Math.max(3e-4, q * v)}, new int[] {0}))),
                 Hypothesis.law(this, link, "bristles", new BristleFriction(1, 1.05, 0.01, 1 / (0.2 * r)),
                         List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400), factor(1e-3, 0.1), factor(0.02 / r, 2e4 / r)),
                         grid(new double[] {0.1, 0.5}, q -> Start.of(new double[] {1, 1.05, 0.01, 1 / (q * r)}, new int[] {0, 1, 3}))));
@@ -47,9 +47,10 @@ record DryFriction() implements Mechanism {
         double v = link.speed();
         double f = link.force();
         return List.of(Hypothesis.law(this, link, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(STUCK * v, 3 * v)),
-                        grid(new double[] {1e-4, 0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
+                grid(new double[] {1e-4, 0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
                 Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
-                        List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
+                        List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v),
+                                factor(0.1 * f / r, 1000 * f / r)),
                         grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r))));
     }
 

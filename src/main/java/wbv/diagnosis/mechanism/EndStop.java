@@ -33,7 +33,8 @@ record EndStop() implements Mechanism {
         List<Hypothesis> out = new ArrayList<>();
         for (Law.Side side : Law.Side.values()) {
             if (scene.onRig()) {
-                out.add(stop(link, side, k, List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)), LEAST_PART * r, 0.6, 0.85, 0.97));
+                out.add(stop(link, side, k, List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)), LEAST_PART * r, 0.6, 0.85,
+                        0.97));
             } else {
                 out.add(stop(link, side, 0.2 * k, List.of(sum(0.2 * k, 1e-6 * k, 40 * k), factor(2e-5, 2e-2)), LEAST,
                         side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98}));

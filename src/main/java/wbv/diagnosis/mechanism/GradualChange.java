@@ -27,8 +27,9 @@ record GradualChange() implements Mechanism {
             return List.of();
         }
         return List.of(Hypothesis.law(this, link, "", new SlowDrift(0.1, 0, 1), List.of(sum(0.1, -3, 12), sum(0.1, -4, 12), sum(0.2, 0, 2)),
-                        List.of(Start.of(new double[] {0.1, 0, 1}, new int[] {0}))),
-                Hypothesis.law(this, link, SETTLING, new Settling(0.1, 30, 1), List.of(sum(0.1, -0.97, 12), factor(SLOWLY, 500), sum(0.2, 0, 2)),
+                List.of(Start.of(new double[] {0.1, 0, 1}, new int[] {0}))),
+                Hypothesis.law(this, link, SETTLING, new Settling(0.1, 30, 1),
+                        List.of(sum(0.1, -0.97, 12), factor(SLOWLY, 500), sum(0.2, 0, 2)),
                         grid(new double[] {15, 35, 80}, q -> Start.of(new double[] {0.1, q, 1}, new int[] {0}))));
     }
 

@@ -35,7 +35,8 @@ record Hardening() implements Mechanism {
                             List.of(Start.of(new double[] {even, odd}, new int[] {0}, new int[] {1}))));
         }
         return List.of(Hypothesis.law(this, link, "", new CubicSpring(odd), List.of(sum(odd, 0, MOST * k)), List.of(scaled(odd))),
-                Hypothesis.law(this, link, "knee", new ProgressiveSpring(0.2 * k, r), List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * r, 20 * r)),
+                Hypothesis.law(this, link, "knee", new ProgressiveSpring(0.2 * k, r),
+                        List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * r, 20 * r)),
                         grid(new double[] {0.3, 1, 3}, q -> Start.of(new double[] {0.2 * k, q * r}, new int[] {0}))));
     }
 }

@@ -57,7 +57,8 @@ record HiddenMass() implements Mechanism {
     private Hypothesis hypothesis(Scene scene, int body, Model.HiddenMode mode, double[] low, double[] high, List<Start> starts) {
         return new Hypothesis(this, scene.model().bodies().get(body).name(), "", List.of(new Addition.Hidden(body, mode)),
                 List.of(factor(low[0], high[0]).named("mass_kg"), factor(low[1], high[1]).named("stiffness_N_per_m"),
-                        factor(low[2], high[2]).named("damping_Ns_per_m")), starts);
+                        factor(low[2], high[2]).named("damping_Ns_per_m")),
+                starts);
     }
 
     private static Start start(Model.HiddenMode mode) {

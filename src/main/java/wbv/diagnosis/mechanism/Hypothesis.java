@@ -37,7 +37,8 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** A law in a link. @param bounds of the law's numbers, in their order; their keys are the law's */
     public static Hypothesis law(Mechanism kind, Scene.Link link, String form, Law law, List<Number> bounds, List<Start> starts) {
-        return new Hypothesis(kind, link.name(), form, List.of(new Addition.InLink(link.index(), law)), Number.named(law.getClass(), bounds), starts);
+        return new Hypothesis(kind, link.name(), form, List.of(new Addition.InLink(link.index(), law)),
+                Number.named(law.getClass(), bounds), starts);
     }
 
     /** A fault of the sensor of an output. @param bounds as of a law */
@@ -46,7 +47,8 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     }
 
     /** The same in one of several forms. */
-    public static Hypothesis fault(Mechanism kind, Scene scene, int output, String form, SensorFault fault, List<Number> bounds, List<Start> starts) {
+    public static Hypothesis fault(Mechanism kind, Scene scene, int output, String form, SensorFault fault, List<Number> bounds,
+            List<Start> starts) {
         return new Hypothesis(kind, scene.outputs().get(output).toString(), form, List.of(new Addition.AtSensor(output, fault)),
                 Number.named(fault.getClass(), bounds), starts);
     }
@@ -65,7 +67,8 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         for (int i = 1; i < outputs.size(); i++) {
             additions.add(new Addition.Alike(scene.device(outputs.get(0)).get(0), outputs.get(i), faults.get(i), factors.get(i)));
         }
-        return new Hypothesis(kind, scene.outputs().get(outputs.get(0)).location(), "", additions, Number.named(faults.get(0).getClass(), bounds), starts);
+        return new Hypothesis(kind, scene.outputs().get(outputs.get(0)).location(), "", additions,
+                Number.named(faults.get(0).getClass(), bounds), starts);
     }
 
     /** What a hypothesis adds. */
@@ -81,13 +84,13 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         }
 
         /** A law in a link. */
-        record InLink(int link, Law law) implements Addition { }
+        record InLink(int link, Law law) implements Addition {}
 
         /** A drive in a link, or on a body where {@link Drive#actsOnBody}. */
-        record Driven(int place, Drive drive) implements Addition { }
+        record Driven(int place, Drive drive) implements Addition {}
 
         /** A fault of one channel's sensor, with numbers of its own. */
-        record AtSensor(int output, SensorFault fault) implements OfSensor { }
+        record AtSensor(int output, SensorFault fault) implements OfSensor {}
 
         /**
          * The same fault of another channel of a device: it has no numbers of its own, but those of the sensor before it, times factors.
@@ -101,7 +104,7 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         }
 
         /** A hidden mass on a body; its numbers are mass, stiffness and damping. */
-        record Hidden(int body, Model.HiddenMode mode) implements Addition { }
+        record Hidden(int body, Model.HiddenMode mode) implements Addition {}
     }
 
     /**
@@ -221,12 +224,14 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** The same of what a model has already. */
     public static boolean byTheClock(Assembly assembly) {
-        return assembly.laws().stream().anyMatch(at -> byTheClock(at.law())) || assembly.drives().stream().anyMatch(at -> byTheClock(at.drive()))
+        return assembly.laws().stream().anyMatch(at -> byTheClock(at.law()))
+                || assembly.drives().stream().anyMatch(at -> byTheClock(at.drive()))
                 || assembly.outputs().stream().flatMap(output -> output.faults().stream()).anyMatch(Hypothesis::byTheClock);
     }
 
     private static boolean byTheClock(Object physics) {
         return physics instanceof Learned law && law.byTheClock() || physics instanceof StepChange || physics instanceof SlowDrift
-                || physics instanceof Settling || physics instanceof Drive.Tone || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
+                || physics instanceof Settling || physics instanceof Drive.Tone
+                || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
     }
 }

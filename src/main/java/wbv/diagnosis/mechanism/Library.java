@@ -16,9 +16,11 @@ public record Library(List<Mechanism> mechanisms) {
 
     private static final Library STANDARD = new Library(List.of(new Softening(), new Hardening(), new Asymmetry(), new SpeedDamping(),
             new DryFriction(), new Hysteresis(), new Separation(), new EndStop(), new Clearance(), new AbruptChange(), new GradualChange(),
-            new Viscoelasticity(), new StretchReflex(), new SensorMount(), new SensorDelay(), new SensorAcCoupling(), new SensorGain(), new SensorMisalignment(),
+            new Viscoelasticity(), new StretchReflex(), new SensorMount(), new SensorDelay(), new SensorAcCoupling(), new SensorGain(),
+            new SensorMisalignment(),
             new RotationalCoupling(), new CrossAxisCoupling(), new HiddenMass(), new UnmeasuredForce(), new SensorRectifying(),
-            new SensorClipping(), new Scheduled(Scheduled.What.STIFFNESS), new Scheduled(Scheduled.What.DAMPING), new Scheduled(Scheduled.What.FRICTION),
+            new SensorClipping(), new Scheduled(Scheduled.What.STIFFNESS), new Scheduled(Scheduled.What.DAMPING),
+            new Scheduled(Scheduled.What.FRICTION),
             new SensorBias(), new SensorDropouts(), new SensorQuantised(), new ParameterError(), new LearnedForce()));
 
     public Library {

@@ -16,7 +16,7 @@ public sealed interface Mechanism
         SensorQuantised, Scheduled, ParameterError, LearnedForce, Mechanism.Custom {
 
     /** One that somebody adds to a {@link Library} of his own. */
-    non-sealed interface Custom extends Mechanism { }
+    non-sealed interface Custom extends Mechanism {}
 
     /** How it stands in a library. */
     Entry entry();

@@ -12,7 +12,8 @@ public record ParameterError() implements Mechanism {
 
     @Override
     public Optional<String> against(Mechanism rival) {
-        return rival.family() != Family.DYNAMIC ? Optional.empty() : Optional.of("Press the link with a known weight and see how far it gives: "
-                + "a memory leaves the slow stiffness where the model has it, a wrong number does not.");
+        return rival.family() != Family.DYNAMIC ? Optional.empty()
+                : Optional.of("Press the link with a known weight and see how far it gives: "
+                        + "a memory leaves the slow stiffness where the model has it, a wrong number does not.");
     }
 }

@@ -53,7 +53,8 @@ record RotationalCoupling() implements Mechanism {
         List<Number> numbers = rates.stream().map(rate -> sum(ARM, -1, 1).named("lever_arm_m on " + rate)).toList();
         int[][] columns = IntStream.range(0, arms.length).mapToObj(i -> new int[] {i}).toArray(int[][]::new);
         return rates.isEmpty() ? List.of()
-                : List.of(new Hypothesis(this, where, "", rates.stream().map(addition).toList(), numbers, List.of(Start.of(arms, columns))));
+                : List.of(
+                        new Hypothesis(this, where, "", rates.stream().map(addition).toList(), numbers, List.of(Start.of(arms, columns))));
     }
 
     @Override

@@ -61,7 +61,8 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
     /** The same of some outputs. */
     public static List<Integer> device(List<Channel> outputs, boolean onRig, int output) {
         String location = outputs.get(output).location();
-        return onRig ? List.of(output) : IntStream.range(0, outputs.size()).filter(o -> outputs.get(o).location().equals(location)).boxed().toList();
+        return onRig ? List.of(output)
+                : IntStream.range(0, outputs.size()).filter(o -> outputs.get(o).location().equals(location)).boxed().toList();
     }
 
     List<Channel> across(String location, Quantity quantity) {
@@ -74,12 +75,13 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
 
     /** The location of the sensor on a body or base; empty where there is none. */
     String location(String body) {
-        Optional<Channel> sensor = body.equals(model.base().name()) ? model.base().sensor() : model.bodies().get(model.index(body)).sensor();
+        Optional<
+                Channel> sensor = body.equals(model.base().name()) ? model.base().sensor() : model.bodies().get(model.index(body)).sensor();
         return sensor.map(Channel::location).orElse("");
     }
 
     /** A channel by which a link may go. @param level its range @param levels parts of the range in which it was, each for a while */
-    public record Schedule(Modulator.Level level, int levels) { }
+    public record Schedule(Modulator.Level level, int levels) {}
 
     /**
      * How a link moved, and the scales that follow.

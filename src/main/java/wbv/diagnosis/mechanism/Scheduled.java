@@ -49,7 +49,8 @@ record Scheduled(What what) implements Mechanism {
         List<Hypothesis> out = new ArrayList<>();
         boolean own = what == What.STIFFNESS ? link.own() > 0 : what == What.DAMPING ? link.ownDamping() > 0 : scene.onRig();
         for (Scene.Schedule schedule : own ? scene.schedules() : List.<Scene.Schedule>of()) {
-            FORMS.keySet().stream().filter(degree -> degree < schedule.levels()).sorted().forEach(degree -> out.add(of(link, schedule.level(), degree)));
+            FORMS.keySet().stream().filter(degree -> degree < schedule.levels()).sorted()
+                    .forEach(degree -> out.add(of(link, schedule.level(), degree)));
         }
         return out;
     }
@@ -72,14 +73,16 @@ record Scheduled(What what) implements Mechanism {
         }
         double[] sizes = new double[4];
         Arrays.fill(sizes, 0, degree, CHANGE);
-        Law law = new ScheduledLink(what == What.STIFFNESS ? ScheduledLink.Of.STIFFNESS : ScheduledLink.Of.DAMPING, by, sizes[0], sizes[1], sizes[2], sizes[3]);
+        Law law = new ScheduledLink(what == What.STIFFNESS ? ScheduledLink.Of.STIFFNESS : ScheduledLink.Of.DAMPING, by, sizes[0], sizes[1],
+                sizes[2], sizes[3]);
         return Hypothesis.law(this, link, form, law, polynomial(degree, CHANGE, MOST),
                 List.of(new Hypothesis.Start(sizes, IntStream.range(0, degree).mapToObj(i -> new int[] {i}).toList())));
     }
 
     /** Coefficients up to a degree; those beyond are held at nothing. */
     private static List<Hypothesis.Number> polynomial(int degree, double unit, double most) {
-        return IntStream.rangeClosed(1, 4).mapToObj(power -> power <= degree ? sum(unit, -most, most) : sum(unit, -1e-9 * unit, 1e-9 * unit)).toList();
+        return IntStream.rangeClosed(1, 4)
+                .mapToObj(power -> power <= degree ? sum(unit, -most, most) : sum(unit, -1e-9 * unit, 1e-9 * unit)).toList();
     }
 
     /**
@@ -98,7 +101,8 @@ record Scheduled(What what) implements Mechanism {
             if (u != 0 || what == What.FRICTION) {
                 int[] of = IntStream.range(0, first + degree).toArray();
                 double[] weights = IntStream.range(0, first + degree).mapToDouble(i -> Math.pow(u, i + 1 - first)).toArray();
-                out.add(new Told(key + " at " + amount(by, u), of, weights, Told.Kind.SUM, x -> IntStream.range(0, x.length).mapToDouble(i -> weights[i] * x[i]).sum()));
+                out.add(new Told(key + " at " + amount(by, u), of, weights, Told.Kind.SUM,
+                        x -> IntStream.range(0, x.length).mapToDouble(i -> weights[i] * x[i]).sum()));
             }
         }
         if (what == What.FRICTION) {
@@ -109,7 +113,8 @@ record Scheduled(What what) implements Mechanism {
 
     private static String amount(Modulator.Level by, double u) {
         boolean position = by.channel().quantity() == Quantity.POSITION;
-        return new BigDecimal((position ? 1e3 : 1) * by.value(u)).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('-', '−') + " "
+        return new BigDecimal((position ? 1e3 : 1) * by.value(u)).round(new MathContext(3)).stripTrailingZeros().toPlainString()
+                .replace('-', '−') + " "
                 + (position ? "mm" : by.channel().quantity().unit()) + " of " + by.channel();
     }
 

@@ -16,7 +16,8 @@ record SensorClipping() implements Mechanism {
 
     @Override
     public Entry entry() {
-        return new Entry("sensor.clipping", Family.SENSOR, "The sensor %s clips", "Repeat at a third of the level: what clips must vanish.");
+        return new Entry("sensor.clipping", Family.SENSOR, "The sensor %s clips",
+                "Repeat at a third of the level: what clips must vanish.");
     }
 
     @Override

@@ -37,8 +37,8 @@ record SensorDelay() implements Mechanism {
         }
         List<Integer> device = scene.device(output);
         return device.get(0) != output ? List.of() : List.of(late(scene, device, new SensorFault.Delay(0.004, 0), HELD,
-                        Stream.concat(Stream.of(Start.of(new double[] {0.004, 0}, new int[] {0})),
-                                DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList()),
+                Stream.concat(Stream.of(Start.of(new double[] {0.004, 0}, new int[] {0})),
+                        DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList()),
                 late(scene, device, new SensorFault.Delay(0, 1e-5), 0.005, List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
     }
 
@@ -46,15 +46,19 @@ record SensorDelay() implements Mechanism {
     private Hypothesis late(Scene scene, List<Integer> device, SensorFault fault, double drift, List<Start> starts) {
         List<Number> bounds = List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -drift, drift));
         return device.size() == 1 ? Hypothesis.fault(this, scene, device.get(0), fault, bounds, starts)
-                : Hypothesis.fault(this, scene, device, Collections.nCopies(device.size(), fault), Collections.nCopies(device.size(), List.of(1.0, 1.0)), bounds, starts);
+                : Hypothesis.fault(this, scene, device, Collections.nCopies(device.size(), fault),
+                        Collections.nCopies(device.size(), List.of(1.0, 1.0)), bounds, starts);
     }
 
     /** The channel of a force that pushes. */
     @Override
     public List<Hypothesis> onBody(Scene scene, int body) {
         double step = scene.step();
-        return scene.inputsOn(body).map(channel -> new Hypothesis(this, channel.toString(), "", List.of(new Hypothesis.Addition.Driven(body, new Drive.Late(channel, step))),
-                Number.named(Drive.Late.class, List.of(sum(0.3 * step, 0, 50 * step))), List.of(Start.scaled(step)))).toList();
+        return scene.inputsOn(body)
+                .map(channel -> new Hypothesis(this, channel.toString(), "",
+                        List.of(new Hypothesis.Addition.Driven(body, new Drive.Late(channel, step))),
+                        Number.named(Drive.Late.class, List.of(sum(0.3 * step, 0, 50 * step))), List.of(Start.scaled(step))))
+                .toList();
     }
 
     /** Nothing is told of a clock that was not let drift. */

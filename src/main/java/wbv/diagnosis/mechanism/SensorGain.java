@@ -13,7 +13,8 @@ record SensorGain() implements Mechanism {
 
     @Override
     public Entry entry() {
-        return new Entry("sensor.gain", Family.SENSOR, "The sensor %s has a wrong gain", "Tape a second sensor beside it: the two must read alike.");
+        return new Entry("sensor.gain", Family.SENSOR, "The sensor %s has a wrong gain",
+                "Tape a second sensor beside it: the two must read alike.");
     }
 
     @Override
@@ -21,7 +22,8 @@ record SensorGain() implements Mechanism {
         // The only sensor of what forces drive reads what a model of other numbers does.
         boolean alone = scene.outputs().size() == 1 && scene.model().base().sensor().isEmpty();
         return alone ? List.of() : List.of(Hypothesis.fault(this, scene, output, new SensorFault.Gain(FACTOR),
-                List.of(sum(0.01, 0.3, 3).about(1)), List.of(new Start(new double[] {FACTOR}, new double[] {FACTOR - 1}, List.of(new int[] {0})))));
+                List.of(sum(0.01, 0.3, 3).about(1)),
+                List.of(new Start(new double[] {FACTOR}, new double[] {FACTOR - 1}, List.of(new int[] {0})))));
     }
 
     @Override

@@ -29,12 +29,14 @@ record SensorMisalignment() implements Mechanism {
         Channel channel = scene.outputs().get(output);
         boolean accelerometer = !scene.onRig() && channel.quantity() == Quantity.ACCELERATION;
         List<Channel> across = accelerometer ? scene.beside(channel, Quantity.ACCELERATION) : List.of();
-        List<Integer> device = scene.device(output).stream().filter(o -> scene.outputs().get(o).quantity() == Quantity.ACCELERATION).toList();
+        List<Integer> device = scene.device(output).stream().filter(o -> scene.outputs().get(o).quantity() == Quantity.ACCELERATION)
+                .toList();
         if (accelerometer && device.size() == 2) {
             return device.get(0) == output ? List.of(turned(scene, device)) : List.of();
         }
         if (across.size() == 1) {
-            return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Turned(across.get(0), TILT), List.of(sum(TILT, -0.9, 0.9)), List.of(Start.scaled(TILT))));
+            return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Turned(across.get(0), TILT), List.of(sum(TILT, -0.9, 0.9)),
+                    List.of(Start.scaled(TILT))));
         }
         return across.size() != 2 ? List.of() : List.of(Hypothesis.fault(this, scene, output,
                 new SensorFault.Misalignment(across.get(0), across.get(1), TILT, TILT), List.of(sum(TILT, -0.9, 0.9), sum(TILT, -0.9, 0.9)),
@@ -43,8 +45,10 @@ record SensorMisalignment() implements Mechanism {
 
     /** About the axis across both that the model reads: one reads of the other what that loses. */
     private Hypothesis turned(Scene scene, List<Integer> device) {
-        List<SensorFault> faults = List.of(new SensorFault.Turned(scene.outputs().get(device.get(1)), TILT), new SensorFault.Turned(scene.outputs().get(device.get(0)), -TILT));
-        return Hypothesis.fault(this, scene, device, faults, List.of(List.of(1.0), List.of(-1.0)), List.of(sum(TILT, -0.9, 0.9)), List.of(Start.scaled(TILT)));
+        List<SensorFault> faults = List.of(new SensorFault.Turned(scene.outputs().get(device.get(1)), TILT),
+                new SensorFault.Turned(scene.outputs().get(device.get(0)), -TILT));
+        return Hypothesis.fault(this, scene, device, faults, List.of(List.of(1.0), List.of(-1.0)), List.of(sum(TILT, -0.9, 0.9)),
+                List.of(Start.scaled(TILT)));
     }
 
     @Override

@@ -24,12 +24,14 @@ record SensorMount() implements Mechanism {
             return List.of();
         }
         // How far a mount of 10 Hz is stretched by what its sensor read; a third more stiffness there is plain.
-        double stretch = Math.sqrt(Arrays.stream(scene.measured().get(output)).map(a -> a * a).average().orElse(0)) / Math.pow(2 * Math.PI * 10, 2);
+        double stretch = Math.sqrt(Arrays.stream(scene.measured().get(output)).map(a -> a * a).average().orElse(0))
+                / Math.pow(2 * Math.PI * 10, 2);
         double cubic = 0.3 / Math.max(stretch * stretch, 1e-12);
         return List.of(Hypothesis.fault(this, scene, output, new SensorFault.MountResonance(10, 0.3),
                 List.of(factor(2.5, 60), factor(0.01, 2)), grid(new double[] {6, 10, 18}, f -> fixed(f, 0.3))),
                 Hypothesis.fault(this, scene, output, "stiffening", new SensorFault.StiffeningMount(10, 0.3, cubic),
-                        List.of(factor(2.5, 60), factor(0.01, 2), factor(1e-3 * cubic, 1e3 * cubic)), grid(new double[] {6, 10, 18}, f -> fixed(f, 0.2, cubic * Math.pow(f / 10, 4)))));
+                        List.of(factor(2.5, 60), factor(0.01, 2), factor(1e-3 * cubic, 1e3 * cubic)),
+                        grid(new double[] {6, 10, 18}, f -> fixed(f, 0.2, cubic * Math.pow(f / 10, 4)))));
     }
 
     @Override

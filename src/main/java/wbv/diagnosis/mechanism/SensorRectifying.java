@@ -14,7 +14,8 @@ record SensorRectifying() implements Mechanism {
 
     @Override
     public Entry entry() {
-        return new Entry("sensor.rectifying", Family.SENSOR, "The sensor %s loses the sign", "Turn the sensor upside down: a sign must change.");
+        return new Entry("sensor.rectifying", Family.SENSOR, "The sensor %s loses the sign",
+                "Turn the sensor upside down: a sign must change.");
     }
 
     @Override

@@ -29,8 +29,8 @@ record Separation() implements Mechanism {
         double[] seldom = {0.65, 0.85, 0.95, 0.99};
         double most = link.pull(1);
         return List.of(Hypothesis.law(this, link, "", new ContactLoss(100), List.of(factor(0.5, 1000)),
-                        Stream.concat(grid(seldom, q -> fixed(Math.max(LEAST, link.pull(q)))).stream(),
-                                DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(LEAST, q * most)))).toList()),
+                Stream.concat(grid(seldom, q -> fixed(Math.max(LEAST, link.pull(q)))).stream(),
+                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(LEAST, q * most)))).toList()),
                 Hypothesis.law(this, link, "rounded", new RoundedContactLoss(100, 10), List.of(factor(0.5, 1000), factor(0.05, 300)),
                         grid(seldom, q -> {
                             double preload = Math.max(LEAST, link.pull(q));

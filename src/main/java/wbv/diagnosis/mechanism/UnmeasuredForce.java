@@ -32,7 +32,8 @@ public record UnmeasuredForce() implements Mechanism {
                 .mapToObj(q -> Start.of(new double[] {1, 1, f + q * scene.spacing()}, new int[] {0}, new int[] {1}))).toList();
         return List.of(new Hypothesis(this, scene.model().bodies().get(body).name(), "",
                 List.of(new Addition.Driven(body, new Drive.Tone(1, 1, scene.lines()[0]))), Number.named(Drive.Tone.class,
-                        List.of(sum(1, -300, 300), sum(1, -300, 300), sum(0.01, 0.4, 20))), tones));
+                        List.of(sum(1, -300, 300), sum(1, -300, 300), sum(0.01, 0.4, 20))),
+                tones));
     }
 
     @Override

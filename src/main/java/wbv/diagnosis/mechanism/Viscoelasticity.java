@@ -20,8 +20,9 @@ record Viscoelasticity() implements Mechanism {
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         if (!scene.onRig()) {
             double k = link.stiffness();
-            return List.of(Hypothesis.law(this, link, "", new MaxwellArm(0.1 * k, 0.05), List.of(factor(1e-3 * k, 20 * k), factor(0.003, 3)),
-                    grid(new double[] {0.015, 0.05, 0.2}, t -> Start.of(new double[] {0.1 * k, t}, new int[] {0}))));
+            return List
+                    .of(Hypothesis.law(this, link, "", new MaxwellArm(0.1 * k, 0.05), List.of(factor(1e-3 * k, 20 * k), factor(0.003, 3)),
+                            grid(new double[] {0.015, 0.05, 0.2}, t -> Start.of(new double[] {0.1 * k, t}, new int[] {0}))));
         }
         double k = link.own();
         double r = link.deflection();

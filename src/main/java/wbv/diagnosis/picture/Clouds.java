@@ -68,8 +68,8 @@ final class Clouds {
         double[][] full = Arrays.stream(sums).filter(s -> s[0] >= LEAST).toArray(double[][]::new);
         return new Portrait.Trail(name, kind, Arrays.stream(full).mapToDouble(s -> xUnit * s[1] / s[0]).toArray(),
                 Arrays.stream(full).mapToDouble(s -> yUnit * s[2] / s[0]).toArray(), kind != Portrait.Kind.MEAN ? new double[0]
-                : Arrays.stream(full).mapToDouble(s -> yUnit * Math.sqrt(Math.max(0, s[3] / s[0]
-                - Math.pow(s[2] / s[0], 2)) / s[0])).toArray());
+                        : Arrays.stream(full).mapToDouble(s -> yUnit * Math.sqrt(Math.max(0, s[3] / s[0]
+                                - Math.pow(s[2] / s[0], 2)) / s[0])).toArray());
     }
 
     private static double[] scaled(double[] values, int[] at, double unit) {

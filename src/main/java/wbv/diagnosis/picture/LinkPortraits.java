@@ -90,13 +90,18 @@ final class LinkPortraits {
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait> out = new ArrayList<>();
         out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside, List.of(
-                Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count), new double[0]),
-                Portrait.Trail.law("law found", time, Arrays.copyOfRange(law, from, from + count))), "Held-out part, through the sensors' band."));
+                Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count),
+                        new double[0]),
+                Portrait.Trail.law("law found", time, Arrays.copyOfRange(law, from, from + count))),
+                "Held-out part, through the sensors' band."));
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(law, 1, force, 1));
         double end = Arrays.stream(known(law)).map(Math::abs).max().orElse(1);
-        trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end}, new double[0]));
-        out.add(new Portrait(scale.effort() + " in " + where + " over that of the law", Portrait.Scale.of(scale.effort() + " of the law found", scale.force()),
-                Portrait.Scale.of(scale.effort() + " that the recording asks for", scale.force()), trails, "Above 1 Hz. On the straight line nothing is left."));
+        trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end},
+                new double[0]));
+        out.add(new Portrait(scale.effort() + " in " + where + " over that of the law",
+                Portrait.Scale.of(scale.effort() + " of the law found", scale.force()),
+                Portrait.Scale.of(scale.effort() + " that the recording asks for", scale.force()), trails,
+                "Above 1 Hz. On the straight line nothing is left."));
         for (Side side : Side.values()) {
             List<Portrait.Trail> along = new ArrayList<>(clouds.samples(along(side), scale.turn(), force, 1));
             along.add(clouds.mean("law found, mean", Portrait.Kind.LAW, along(side), scale.turn(), law, 1));
@@ -112,7 +117,8 @@ final class LinkPortraits {
     }
 
     private static Portrait.Scale along(Side side, LinkScale scale) {
-        return side == Side.DEFLECTION ? Portrait.Scale.of("Deflection", scale.deflection()) : Portrait.Scale.of("Velocity", scale.velocity());
+        return side == Side.DEFLECTION ? Portrait.Scale.of("Deflection", scale.deflection())
+                : Portrait.Scale.of("Velocity", scale.velocity());
     }
 
     private double[] along(Side side) {
@@ -147,7 +153,9 @@ final class LinkPortraits {
         String what = slope == 0 ? "Latent " + scale.effort().toLowerCase(Locale.ROOT) : deflection ? "Whole spring" : "Whole damper";
         return new Portrait(what + " in " + where + " over " + (deflection ? "deflection" : "velocity"),
                 along(side, scale),
-                slope == 0 ? beside : Portrait.Scale.of((deflection ? "Spring " : "Damper ") + scale.effort().toLowerCase(Locale.ROOT), scale.force()), trails, note());
+                slope == 0 ? beside
+                        : Portrait.Scale.of((deflection ? "Spring " : "Damper ") + scale.effort().toLowerCase(Locale.ROOT), scale.force()),
+                trails, note());
     }
 
     /** The straight part, as far as it stays near the forces that were there. */
@@ -170,7 +178,8 @@ final class LinkPortraits {
     private String note() {
         return String.format(Locale.ROOT, "One point a sample%s; the sensors' noise alone scatters it by ±%.2g %s.",
                 latent.lowest() > 0 ? String.format(Locale.ROOT, ", from %.0f Hz up", latent.lowest()) : "", 2
-                * latent.pointNoise(), scale.force());
+                        * latent.pointNoise(),
+                scale.force());
     }
 
     /** The strongest second as a loop, measured and as the law has it. */
@@ -184,7 +193,9 @@ final class LinkPortraits {
         trails.add(new Portrait.Trail("strongest second", Portrait.Kind.MEASURED, shown,
                 Arrays.copyOfRange(latent.fineForce(), from, to), new double[0]));
         trails.add(Portrait.Trail.law("the same as the law has it", shown, Arrays.copyOfRange(latent.fineLaw(), from, to)));
-        return new Portrait("Latent " + scale.effort().toLowerCase(Locale.ROOT) + " in " + where + " over " + (side == Side.DEFLECTION ? "deflection" : "velocity"),
+        return new Portrait(
+                "Latent " + scale.effort().toLowerCase(Locale.ROOT) + " in " + where + " over "
+                        + (side == Side.DEFLECTION ? "deflection" : "velocity"),
                 along(side, scale), beside, trails, note());
     }
 

@@ -33,7 +33,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param degrees  independent numbers behind {@link Diagnosis.Located#times}
      */
     public record View(String channel, String unit, Traces heldOut, ResidualMap map, List<Transfer> transfer, double nrmseGiven,
-                       int degrees) {
+            int degrees) {
 
         /** How much stronger in power than estimated the sensors' noise may be before a mismatch counts as one. */
         private static final double NOISE_MARGIN = 1.1;
@@ -59,13 +59,13 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param step between two [s]
      * @param measured NaN where it does not count
      */
-    public record Traces(double from, double step, double[] measured, double[] before, double[] after) { }
+    public record Traces(double from, double step, double[] measured, double[] before, double[] after) {}
 
     /**
      * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and
      * frequency [dB]; NaN where nothing was measured.
      */
-    public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) { }
+    public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) {}
 
     /**
      * Moduli of frequency responses, all estimated in the same way from samples.
@@ -77,7 +77,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      */
     public record Transfer(String input, String unit, double[] frequency, double[] measured, double[] error, boolean[] usable,
             double[] before,
-            double[] after) { }
+            double[] after) {}
 
     /**
      * A number of the user's model.
@@ -88,7 +88,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param before fitted without what is missing
      * @param after  in the final model
      */
-    public record Value(String where, String key, double given, double before, double after) { }
+    public record Value(String where, String key, double given, double before, double after) {}
 
     public Pictures {
         views = List.copyOf(views);
@@ -104,9 +104,11 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
         Diagnosis diagnosis = diagnosed.diagnosis();
         Evidence evidence = diagnosed.evidence;
         Stream<Diagnosis.Latent> forces = diagnosis.missing().stream()
-                .filter(named -> evidence.library().of(named.mechanism()).filter(mechanism -> mechanism.family() == Family.FORCE).isPresent())
+                .filter(named -> evidence.library().of(named.mechanism()).filter(mechanism -> mechanism.family() == Family.FORCE)
+                        .isPresent())
                 .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
-        return of(evidence, diagnosed.fits.given(), diagnosed.base, diagnosed.chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
+        return of(evidence, diagnosed.fits.given(), diagnosed.base, diagnosed.chosen,
+                Stream.concat(forces, diagnosis.latent().stream()).toList());
     }
 
     /** @param latent places to be drawn where the chosen fit added nothing, best first */

@@ -46,7 +46,8 @@ final class Portraits {
         List<Portrait> out = new ArrayList<>();
         List<Hypothesis> added = chosen.candidate().added();
         List<Hypothesis> found = added.subList(base.candidate().added().size(), added.size());
-        found.stream().filter(hypothesis -> hypothesis.mechanism().equals(Learned.MECHANISM)).findFirst().ifPresent(term -> out.addAll(learned(term)));
+        found.stream().filter(hypothesis -> hypothesis.mechanism().equals(Learned.MECHANISM)).findFirst()
+                .ifPresent(term -> out.addAll(learned(term)));
         for (Hypothesis hypothesis : out.isEmpty() ? found : List.<Hypothesis>of()) {
             hypothesis.additions().stream().limit(1).forEach(addition -> out.addAll(of(hypothesis, addition)));
         }
@@ -192,7 +193,7 @@ final class Portraits {
                 new Portrait.Scale("Frequency", "Hz", true),
                 Portrait.Scale.of("Force over acceleration", "kg"), trails,
                 "A mass on a spring is felt as itself at low frequencies, more at its "
-                + "resonance, and not at all far above it.");
+                        + "resonance, and not at all far above it.");
     }
 
     /** What drives a link over the motion that is said to drive it: a line if it is so. */
@@ -241,7 +242,8 @@ final class Portraits {
     private double[] stretched(Drive drive) {
         if (drive instanceof Drive.Swings swings) {
             double[] measured = integrated(less(swings.measured(), swings.base()), 2);
-            double[] swing = evidence.whole().series(Swing.of(swings, evidence.whole().omega(), smooth(swings.base()), smooth(swings.rate())));
+            double[] swing = evidence.whole()
+                    .series(Swing.of(swings, evidence.whole().omega(), smooth(swings.base()), smooth(swings.rate())));
             return IntStream.range(0, swing.length).mapToDouble(i -> (swings.above() ? 1 : -1) * (swing[i] - measured[i])).toArray();
         }
         Drive.CrossAxis cross = (Drive.CrossAxis) drive;

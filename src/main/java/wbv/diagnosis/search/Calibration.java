@@ -24,7 +24,8 @@ public record Calibration(double forms, double chance, double lapse, int answers
 
     public Calibration {
         if (!(forms > 0 && chance > 0 && lapse > 0 && lapse < 1)) {
-            throw new IllegalArgumentException("forms and chance must be > 0, and the lapse between 0 and 1: " + forms + ", " + chance + ", " + lapse);
+            throw new IllegalArgumentException(
+                    "forms and chance must be > 0, and the lapse between 0 and 1: " + forms + ", " + chance + ", " + lapse);
         }
     }
 

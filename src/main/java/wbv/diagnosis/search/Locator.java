@@ -59,9 +59,11 @@ public final class Locator {
             return List.of();
         }
         List<Place> all = Place.andDevices(evidence);
-        List<Known.Ignoring> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
+        List<Known.Ignoring> plain = found(
+                all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
         List<Known.Ignoring> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
-                .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced()))).toList();
+                .filter(found -> found.places().get(0).equals(plain(place)))
+                .map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced()))).toList();
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
     }
 
@@ -74,7 +76,8 @@ public final class Locator {
         List<Asked> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
             for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
-                asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)), List.of(singles.get(i).x(), second.x())));
+                asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)),
+                        List.of(singles.get(i).x(), second.x())));
             }
         }
         return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
@@ -95,13 +98,14 @@ public final class Locator {
     }
 
     /** Places to be ignored, and where fits start then. */
-    private record Asked(List<Place> places, List<double[]> starts) { }
+    private record Asked(List<Place> places, List<double[]> starts) {}
 
     /** Fits all a little, and the whole way those that are not hopeless then. @param shared where many of them start */
     private List<Known.Ignoring> found(List<Asked> all, List<double[]> shared) {
         Parallel.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
-        List<Known.Ignoring> heat = sorted(Parallel.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
-                .min(BEST).orElseThrow()));
+        List<Known.Ignoring> heat = sorted(
+                Parallel.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
+                        .min(BEST).orElseThrow()));
         begun.clear();
         return further(further(heat, HOPELESS), NEAR);
     }

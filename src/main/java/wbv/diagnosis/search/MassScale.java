@@ -124,7 +124,8 @@ public record MassScale(double factor, double deviation) {
             values[i] *= factor;
         }
         return new Assembly(s.with(values),
-                assembly.laws().stream().map(at -> relative(at.law()) ? at : new LawAt(at.link(), (Law) applied((Record) at.law()))).toList(),
+                assembly.laws().stream().map(at -> relative(at.law()) ? at : new LawAt(at.link(), (Law) applied((Record) at.law())))
+                        .toList(),
                 assembly.drives().stream().map(at -> new Assembly.DriveAt(at.place(), (Drive) applied((Record) at.drive())))
                         .toList(),
                 assembly.outputs());

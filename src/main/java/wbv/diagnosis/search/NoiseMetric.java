@@ -18,7 +18,7 @@ public final class NoiseMetric {
     private final List<Source> sources = new ArrayList<>();
 
     /** @param power by line @param way to each output, spectra */
-    private record Source(double[] power, double[][] way) { }
+    private record Source(double[] power, double[][] way) {}
 
     /** The metric of the noise that the evidence has found. @param assembly through which it reaches the outputs */
     public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {

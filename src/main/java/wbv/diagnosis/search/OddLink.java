@@ -92,7 +92,8 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Candidate held(Candidate candidate) {
-        return new Candidate(candidate.template(), candidate.knobs().stream().map(this::held).toList(), candidate.added(), candidate.freeWays());
+        return new Candidate(candidate.template(), candidate.knobs().stream().map(this::held).toList(), candidate.added(),
+                candidate.freeWays());
     }
 
     private double[] asGiven(Candidate candidate, double[] x) {
@@ -106,7 +107,8 @@ record OddLink(int link, double scale, double moved) {
 
     /** Whether a hypothesis is what an odd stiffness of this link makes up for most often. */
     boolean isMemory(Hypothesis hypothesis) {
-        return hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link && in.law() instanceof MaxwellArm;
+        return hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
+                && in.law() instanceof MaxwellArm;
     }
 
     private Knob held(Knob knob) {

@@ -68,9 +68,11 @@ public final class OddSensor {
     private List<Integer> odd(Fitter.State fit) {
         double deviation = SmallError.Kind.DELAY.deviation() * evidence.sample();
         return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
-            double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation).toArray();
+            double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation)
+                    .toArray();
             double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
-            return Arrays.stream(late).map(z -> z * z).sum() > NEARLY * most && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
+            return Arrays.stream(late).map(z -> z * z).sum() > NEARLY * most
+                    && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
         }).boxed().toList();
     }
 }

@@ -52,7 +52,8 @@ public final class PairSearch {
         this.search = search;
         this.refinement = search.refinement();
         this.base = base;
-        this.all = evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
+        this.all = evidence.library()
+                .hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
     }
 
     /**
@@ -74,10 +75,12 @@ public final class PairSearch {
         List<Known.Ignoring> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
         if (alone <= QUIET || needless(own, alone, places)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
-            return single.candidate().last().isLaw() ? Chosen.single(single) : likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own)));
+            return single.candidate().last().isLaw() ? Chosen.single(single)
+                    : likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own)));
         }
         Set<Place> near = PlacePairs.near(places, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
-        Optional<Chosen> apart = new PlacePairs(evidence, search, progress).pair(base, places, leaders).map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
+        Optional<Chosen> apart = new PlacePairs(evidence, search, progress).pair(base, places, leaders)
+                .map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
         if (apart.filter(pair -> outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
@@ -98,7 +101,8 @@ public final class PairSearch {
 
     /** What the choice of one name among all that could stand somewhere costs [nat]. */
     private double price(Predicate<Hypothesis> open) {
-        return Math.log(Math.max(1, all.stream().filter(open).map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count()));
+        return Math.log(Math.max(1,
+                all.stream().filter(open).map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count()));
     }
 
     /** The likeliest of a single mechanism, of pairs, and of what each part of the best pair does by itself. */
@@ -130,7 +134,7 @@ public final class PairSearch {
     }
 
     /** Places one by one, best first, as some data show them. */
-    private record Looked(Locator locator, List<Known.Ignoring> singles) { }
+    private record Looked(Locator locator, List<Known.Ignoring> singles) {}
 
     /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
     private Looked looked(Place own) {
@@ -144,7 +148,8 @@ public final class PairSearch {
     private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Function<Fitter.State, Predicate<Hypothesis>> partners) {
         List<Chosen> out = new ArrayList<>();
         for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
-            if ((out.isEmpty() || Refinement.excess(least(out).fit().reduced()) > QUIET) && (first == single || first.cost() < base.cost())) {
+            if ((out.isEmpty() || Refinement.excess(least(out).fit().reduced()) > QUIET)
+                    && (first == single || first.cost() < base.cost())) {
                 beside(first, partners.apply(first)).ifPresent(out::add);
             }
         }
@@ -165,7 +170,8 @@ public final class PairSearch {
         if (!Double.isFinite(first.cost())) {
             return Optional.empty();   // a run that left all bounds has nothing to be found beside it
         }
-        return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners)).map(fit -> new Chosen(fit, price(partners)));
+        return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners))
+                .map(fit -> new Chosen(fit, price(partners)));
     }
 
     /**

@@ -122,7 +122,8 @@ final class PlacePairs {
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > MOST)
+        List<Fitter.State> shown = blind.credible(fits).stream()
+                .filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > MOST)
                 .toList();
         Set<String> mechanisms = new HashSet<>();
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
@@ -150,7 +151,8 @@ final class PlacePairs {
     }
 
     /** Both mechanisms in one model, each as every rival and in the forms it was found in; none that fails. */
-    private List<Fitter.State> joined(Fitter.State base, List<Fitter.State> firsts, List<Fitter.State> seconds, List<Fitter.State> leaders) {
+    private List<Fitter.State> joined(Fitter.State base, List<Fitter.State> firsts, List<Fitter.State> seconds,
+            List<Fitter.State> leaders) {
         List<Fitter.State> others = seconds.stream().flatMap(fit -> forms(fit, leaders).stream()).toList();
         List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
                 .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();

@@ -107,7 +107,8 @@ public final class Refinement {
     /** Whether a fit went far to make up for what is missing: then it is a bad place to start from. */
     static boolean bent(Fitter.State base) {
         return IntStream.range(0, base.x().length)
-                .anyMatch(i -> base.candidate().knobs().get(i).unit() == 0 && base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED);
+                .anyMatch(i -> base.candidate().knobs().get(i).unit() == 0 && base.candidate().knobs().get(i).deviation() > 1
+                        && Math.abs(base.x()[i]) > DISTORTED);
     }
 
     /** A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be. */
@@ -123,11 +124,12 @@ public final class Refinement {
 
     /** The first steps of each, least cost first. */
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
-                              Function<Hypothesis, List<double[]>> from) {
+            Function<Hypothesis, List<double[]>> from) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
-            return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains) : Trial.begun(ground, score, from.apply(score.hypothesis()));
+            return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()));
         }));
         out.sort(LEAST);
         return out;

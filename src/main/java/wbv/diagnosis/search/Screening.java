@@ -53,7 +53,7 @@ public final class Screening {
     private final ModulatorSeries modulators;
 
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
-    public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
+    public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {}
 
     /** Screens at a fit, modulators worked out where they are needed. @param state a fit with slopes */
     public Screening(Evidence evidence, Fitter.State state, Motion motion) {
@@ -107,7 +107,8 @@ public final class Screening {
 
     private Score score(Hypothesis hypothesis) {
         Candidate with = state.candidate().with(hypothesis);
-        Score best = new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, hypothesis.starts().get(0).values()));
+        Score best = new Score(hypothesis, with, 0,
+                state.candidate().extended(state.x(), with, hypothesis, hypothesis.starts().get(0).values()));
         for (Hypothesis.Start start : hypothesis.starts()) {
             Score score = score(hypothesis, with, start);
             best = score.gain() > best.gain() ? score : best;
@@ -186,7 +187,8 @@ public final class Screening {
             int count = Numbers.values(record).length;
             Law law = (Law) Numbers.with(record, Arrays.copyOfRange(values, next, next + count));
             next += count;
-            double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()), assembly.structure().stiffness()[in.link()],
+            double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()),
+                    assembly.structure().stiffness()[in.link()],
                     assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulators.of(law.modulator()));
             for (int i = 0; i < sum.length; i++) {
                 own[i] += sum[i];

@@ -103,14 +103,16 @@ public final class Search {
      */
     public List<Fitter.State> linear(Fitter.State base, int polished, double part) {
         double least = part * (base.square() - base.frame().whitening().degrees());
-        return leaders(base, polished, Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree()), score -> score.gain() > least);
+        return leaders(base, polished, Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree()),
+                score -> score.gain() > least);
     }
 
     private List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, Predicate<Screening.Score> open) {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
-        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
+        List<Hypothesis> all = evidence.library()
+                .hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
                 .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList()).stream().filter(open).toList();
@@ -125,7 +127,8 @@ public final class Search {
         if (!evidence.onRig() && !out.isEmpty()) {
             Yielding yielding = new Yielding(evidence, refinement, all, base);
             double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
-            out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
+            out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty())
+                    .findFirst()
                     .ifPresent(out::addAll);
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }

@@ -58,7 +58,8 @@ public final class SecondMechanism {
 
     /** Where another link's stiffness is odd, what spares it that. */
     private Optional<Fitter.State> byNumber(Fitter.State single) {
-        Optional<OddLink> odd = evidence.standsForSimulation() ? Optional.empty() : OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
+        Optional<OddLink> odd = evidence.standsForSimulation() ? Optional.empty()
+                : OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
         return odd.filter(link -> !Place.ofLast(single).equals(new Place(Place.Kind.LINK, link.link())))
                 .flatMap(link -> search.best(single, h -> link.isMemory(h)).map(fit -> link.held(search.fitter(), fit))
                         .filter(link::cameBack))
@@ -85,13 +86,17 @@ public final class SecondMechanism {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
         Map<Place, Double> left = new HashMap<>();
-        Place.all(evidence).forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
+        Place.all(evidence)
+                .forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         // Of a device, whose channels may all err, the least that one of them leaves.
         Place first = Place.ofLast(single);
-        double own = first.isSensor() ? first.channels(evidence).stream().mapToDouble(o -> left.get(new Place(Place.Kind.SENSOR, o))).min().orElseThrow() : left.get(first);
+        double own = first.isSensor()
+                ? first.channels(evidence).stream().mapToDouble(o -> left.get(new Place(Place.Kind.SENSOR, o))).min().orElseThrow()
+                : left.get(first);
         double clearly = own - CLEARLY * Math.max(own - 1, LEAST_DROP);
         double near = 1 + NEAR * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
-        return left.keySet().stream().filter(place -> left.get(place) < clearly && left.get(place) <= near).map(place -> place.plain(single.candidate().template()))
+        return left.keySet().stream().filter(place -> left.get(place) < clearly && left.get(place) <= near)
+                .map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
 

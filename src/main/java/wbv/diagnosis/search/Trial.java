@@ -51,7 +51,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= MOST_STARTS && (base.candidate().added().isEmpty() || base.reduced() > Refinement.MUCH)) {
+            if (score.hypothesis().starts().size() <= MOST_STARTS
+                    && (base.candidate().added().isEmpty() || base.reduced() > Refinement.MUCH)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
@@ -80,7 +81,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without) {
         Fitter.Frame frame = ground.base().frame();
         List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
-        return looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst().orElse(looks.get(0));
+        return looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
+                .orElse(looks.get(0));
     }
 
     /**

@@ -70,8 +70,10 @@ public final class Whereabouts {
      * @param places by their plain names, likeliest first, with the model's numbers as they fit beside each
      */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
-        List<Known.Ignoring> found = places.keySet().stream().map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
-        return new Whereabouts(evidence, baseline, Places.of(found, true), hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
+        List<Known.Ignoring> found = places.keySet().stream()
+                .map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
+        return new Whereabouts(evidence, baseline, Places.of(found, true),
+                hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
     /**
@@ -86,7 +88,8 @@ public final class Whereabouts {
         }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
-        return part.map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(x), true))).filter(Whereabouts::hold)
+        return part.map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(x), true)))
+                .filter(Whereabouts::hold)
                 .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(x), part.isEmpty())));
     }
 
@@ -131,7 +134,8 @@ public final class Whereabouts {
     /** The model's numbers as they fit beside whatever enters where a hypothesis acts. */
     Optional<double[]> unbent(Hypothesis hypothesis) {
         Place place = Place.plain(hypothesis, baseline);
-        return places.found().stream().filter(found -> plain(baseline, found).equals(place)).map(found -> place.asGiven(baseline, found.x())).findFirst();
+        return places.found().stream().filter(found -> plain(baseline, found).equals(place))
+                .map(found -> place.asGiven(baseline, found.x())).findFirst();
     }
 
     /** The same beside whatever enters at the likeliest place. */
@@ -162,7 +166,8 @@ public final class Whereabouts {
                 return Optional.empty();
             }
             Optional<BodyForce> force = BodyForce.in(blind, without).filter(kind);
-            if (force.isPresent() && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < MOST * (without.reduced() - 1)) {
+            if (force.isPresent()
+                    && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < MOST * (without.reduced() - 1)) {
                 return force;
             }
         }
@@ -181,6 +186,6 @@ public final class Whereabouts {
     }
 
     private static Fitter.State fitted(Evidence seen, Candidate baseline, double[] start) {
-        return new Search(seen, (step, share) -> { }).base(baseline, start);
+        return new Search(seen, (step, share) -> {}).base(baseline, start);
     }
 }

@@ -57,7 +57,8 @@ final class Yielding {
             double hanging = Math.max(found[0], LEAST) * stiffness;
             double force = hanging * found[1];
             List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
-                    stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging}))).orElse(List.of()));
+                    stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})))
+                    .orElse(List.of()));
             out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
             return out;
         }
@@ -65,8 +66,9 @@ final class Yielding {
             double hanging = found[3];
             double share = hanging / (hanging + stiffness);
             double yield = found[0] / hanging;
-            List<Fitter.State> out = new ArrayList<>(of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
-                    List.of(new double[] {share, yield}))).orElse(List.of()));
+            List<Fitter.State> out = new ArrayList<>(
+                    of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
+                            List.of(new double[] {share, yield}))).orElse(List.of()));
             double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
             out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
             return out;

@@ -176,7 +176,8 @@ final class ChainSearch {
         }
         // An arrangement that is not the right one errs once by output, not by line.
         double spread = MASS_SPREAD * Math.sqrt(outputs.size() / best.square());
-        return Parallel.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
+        return Parallel.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst))
+                .orElseThrow();
     }
 
     /**

@@ -39,7 +39,8 @@ final class OtherInputs {
     /** @param input the channel that is no other */
     OtherInputs(Recording recording, Channel input) {
         others = recording.channels().stream().filter(channel -> channel.location().equals(input.location())
-                && MOTION.contains(channel.quantity()) && !channel.equals(input)).filter(channel -> moves(recording.values(channel))).toList();
+                && MOTION.contains(channel.quantity()) && !channel.equals(input)).filter(channel -> moves(recording.values(channel)))
+                .toList();
         stride = Math.max(1, (int) Math.round(recording.clock().rate() * STEP));
         List<double[]> all = new ArrayList<>();
         for (Channel channel : Stream.concat(Stream.of(input), others.stream()).toList()) {

@@ -39,7 +39,7 @@ final class PlaneFit {
      * @param rate whether it is an angular rate, not an acceleration
      * @param lines its spectrum. Not copied
      */
-    record Output(int read, boolean rate, double[] lines) { }
+    record Output(int read, boolean rate, double[] lines) {}
 
     /** A net that was fitted. @param missed share of each output @param cost what the fit lowers */
     record Fitted(PlaneNet net, double[] missed, double cost) {
@@ -102,14 +102,14 @@ final class PlaneFit {
     }
 
     /** Normal equations. @param missed square of the share of each output that is missed */
-    private record Normal(double[][] square, double[] slope, double[] missed, double cost) { }
+    private record Normal(double[][] square, double[] slope, double[] missed, double cost) {}
 
     /** What the matrices change by with one number: entries of M, C, K; of T; of R. */
-    private record Slope(List<Entry> entries, List<Single> carried, List<Single> read) { }
+    private record Slope(List<Entry> entries, List<Single> carried, List<Single> read) {}
 
-    private record Entry(int row, int column, double mass, double damping, double stiffness) { }
+    private record Entry(int row, int column, double mass, double damping, double stiffness) {}
 
-    private record Single(int row, int column, double value) { }
+    private record Single(int row, int column, double value) {}
 
     private Normal normal(PlaneNet net) {
         double[] at = net.at();

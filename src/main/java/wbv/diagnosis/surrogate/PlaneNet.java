@@ -86,13 +86,17 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     }
 
     PlaneNet with(Part part, Joint joint) {
-        return new PlaneNet(Stream.concat(parts.stream(), Stream.of(part)).toList(), Stream.concat(joints.stream(), Stream.of(joint)).toList());
+        return new PlaneNet(Stream.concat(parts.stream(), Stream.of(part)).toList(),
+                Stream.concat(joints.stream(), Stream.of(joint)).toList());
     }
 
     /** Moved along x and z, all of it. @param z [m] */
     PlaneNet raised(double z) {
-        List<Part> moved = parts.stream().map(part -> new Part(part.name, part.measured, shifted(part.numbers, z, part.measured ? new int[] {2, 5} : new int[] {2}))).toList();
-        List<Joint> held = joints.stream().map(joint -> new Joint(joint.lower, joint.upper, joint.turns() ? shifted(joint.numbers, z, 5) : joint.numbers)).toList();
+        List<Part> moved = parts.stream()
+                .map(part -> new Part(part.name, part.measured, shifted(part.numbers, z, part.measured ? new int[] {2, 5} : new int[] {2})))
+                .toList();
+        List<Joint> held = joints.stream()
+                .map(joint -> new Joint(joint.lower, joint.upper, joint.turns() ? shifted(joint.numbers, z, 5) : joint.numbers)).toList();
         return new PlaneNet(moved, held);
     }
 
@@ -115,7 +119,8 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     }
 
     private double[] all(java.util.function.Function<Numbers, double[]> which) {
-        return Stream.concat(parts.stream().map(Part::numbers), joints.stream().map(Joint::numbers)).flatMapToDouble(numbers -> DoubleStream.of(which.apply(numbers)))
+        return Stream.concat(parts.stream().map(Part::numbers), joints.stream().map(Joint::numbers))
+                .flatMapToDouble(numbers -> DoubleStream.of(which.apply(numbers)))
                 .toArray();
     }
 
@@ -149,7 +154,7 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
      *
      * @param mass diagonal @param damping @param stiffness n × n @param carried n × 3 @param read sensors × n, three a measured part
      */
-    record Matrices(double[] mass, double[][] damping, double[][] stiffness, double[][] carried, double[][] read) { }
+    record Matrices(double[] mass, double[][] damping, double[][] stiffness, double[][] carried, double[][] read) {}
 
     Matrices matrices() {
         int n = motions();
@@ -236,7 +241,8 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     }
 
     private static Map<String, Object> body(Part part, Map<String, List<String>> sensors, double factor) {
-        Map<String, Object> body = new LinkedHashMap<>(Map.of("name", part.name, "at_m", List.of(part.x(), part.z()), "mass_kg", factor * part.mass()));
+        Map<String, Object> body = new LinkedHashMap<>(
+                Map.of("name", part.name, "at_m", List.of(part.x(), part.z()), "mass_kg", factor * part.mass()));
         if (part.measured) {
             List<Double> at = List.of(part.sensors().x(), part.sensors().z());
             body.put("inertia_kgm2", factor * part.inertia());
@@ -249,7 +255,8 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
         double[] own = joint.numbers.at;
         List<Map<String, Object>> out = new ArrayList<>();
         IntStream.range(0, joint.turns() ? MOTIONS : MOTIONS - 1).forEach(motion -> {
-            Map<String, Object> link = new LinkedHashMap<>(Map.of("from", joint.lower < 0 ? base : parts.get(joint.lower).name, "to", parts.get(joint.upper).name));
+            Map<String, Object> link = new LinkedHashMap<>(
+                    Map.of("from", joint.lower < 0 ? base : parts.get(joint.lower).name, "to", parts.get(joint.upper).name));
             if (motion == 2) {
                 link.put("about", "y");
                 link.put("stiffness_Nm_per_rad", factor * Math.exp(own[6]));

@@ -24,16 +24,20 @@ final class PlaneSearch {
      * @param z above it, where that is below the cushion [m]
      * @param gyration radius of [m]
      */
-    private record Usual(double x, double z, double gyration) { }
+    private record Usual(double x, double z, double gyration) {}
 
     /**
      * Places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment); of seat and cushion assumed. The fit moves them;
      * only what the computed motion does not tell stays.
      */
-    private static final Map<String, Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(0, 0.05, 0.2)), Map.entry("cushion", new Usual(0, 0.05, 0.15)),
-            Map.entry("pelvis", new Usual(0, 0.12, 0.15)), Map.entry("abdomen", new Usual(0, 0.25, 0.13)), Map.entry("lumbar", new Usual(-0.05, 0.25, 0.13)),
-            Map.entry("torso", new Usual(0, 0.42, 0.18)), Map.entry("trunk", new Usual(0, 0.42, 0.18)), Map.entry("chest", new Usual(0, 0.42, 0.18)),
-            Map.entry("sternum", new Usual(0, 0.42, 0.18)), Map.entry("neck", new Usual(0, 0.65, 0.06)), Map.entry("head", new Usual(0.02, 0.8, 0.08)));
+    private static final Map<String,
+            Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(0, 0.05, 0.2)), Map.entry("cushion", new Usual(0, 0.05, 0.15)),
+                    Map.entry("pelvis", new Usual(0, 0.12, 0.15)), Map.entry("abdomen", new Usual(0, 0.25, 0.13)),
+                    Map.entry("lumbar", new Usual(-0.05, 0.25, 0.13)),
+                    Map.entry("torso", new Usual(0, 0.42, 0.18)), Map.entry("trunk", new Usual(0, 0.42, 0.18)),
+                    Map.entry("chest", new Usual(0, 0.42, 0.18)),
+                    Map.entry("sternum", new Usual(0, 0.42, 0.18)), Map.entry("neck", new Usual(0, 0.65, 0.06)),
+                    Map.entry("head", new Usual(0.02, 0.8, 0.08)));
     /** Of a place that is none of a person's [kg], [m]: its height by its order up to that of a head. */
     private static final double OTHER_MASS = 10;
     private static final double OTHER_GYRATION = 0.15;
@@ -104,7 +108,8 @@ final class PlaneSearch {
 
     /** The one that a few steps bring nearest, fitted to the end. */
     private PlaneFit.Fitted best(List<PlaneNet> nets) {
-        return fit.fit(nets.stream().map(net -> fit.fit(net, TRIED)).min(Comparator.comparingDouble(PlaneFit.Fitted::cost)).orElseThrow().net());
+        return fit.fit(
+                nets.stream().map(net -> fit.fit(net, TRIED)).min(Comparator.comparingDouble(PlaneFit.Fitted::cost)).orElseThrow().net());
     }
 
     private List<PlaneNet> starts() {
@@ -152,7 +157,8 @@ final class PlaneSearch {
 
     private static PlaneNet.Part measured(String name, double mass, Usual usual) {
         double[] at = {Math.log(mass), usual.x, usual.z, Math.log(mass * usual.gyration * usual.gyration), usual.x, usual.z};
-        return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at, new double[] {ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
+        return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at,
+                new double[] {ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
     }
 
     /**
@@ -168,8 +174,9 @@ final class PlaneSearch {
         double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
         double about = 2 * Math.log(arm);
         double[] at = {stiffness, stiffness, damping, damping, x, z, stiffness + about, damping + about};
-        return new PlaneNet.Joint(lower, upper, PlaneNet.Numbers.of(at, new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, PLACE_SPREAD,
-                PLACE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}));
+        return new PlaneNet.Joint(lower, upper,
+                PlaneNet.Numbers.of(at, new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, PLACE_SPREAD,
+                    PLACE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}));
     }
 
     /** With a joint past a body, and with a body that rides on one. */
@@ -189,12 +196,14 @@ final class PlaneSearch {
         for (int i = 0; i < parts.size(); i++) {
             PlaneNet.Part on = parts.get(i);
             for (double frequency : on.measured() ? ChainSearch.ADDED_FREQUENCIES : new double[0]) {
-                PlaneNet.Numbers rider = PlaneNet.Numbers.of(new double[] {Math.log(mass), on.x(), on.z()}, new double[] {2 * ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
+                PlaneNet.Numbers rider = PlaneNet.Numbers.of(new double[] {Math.log(mass), on.x(), on.z()},
+                        new double[] {2 * ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
                 double omega = 2 * Math.PI * frequency;
                 double stiffness = Math.log(mass * omega * omega);
                 double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
                 out.add(known.with(new PlaneNet.Part(name, false, rider), new PlaneNet.Joint(i, parts.size(), PlaneNet.Numbers.of(
-                        new double[] {stiffness, stiffness, damping, damping}, new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}))));
+                        new double[] {stiffness, stiffness, damping, damping},
+                        new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}))));
             }
         }
         return out;

@@ -69,7 +69,8 @@ final class SimulatedPlane {
 
     /** What moves in the plane, that along z first. */
     private static List<Channel> inPlane(String place) {
-        return List.of(new Channel(place, Quantity.ACCELERATION, 'z'), new Channel(place, Quantity.ACCELERATION, 'x'), new Channel(place, Quantity.ANGULAR_RATE, 'y'));
+        return List.of(new Channel(place, Quantity.ACCELERATION, 'z'), new Channel(place, Quantity.ACCELERATION, 'x'),
+                new Channel(place, Quantity.ANGULAR_RATE, 'y'));
     }
 
     /** What the simulation gave, mean left out. Not a copy. */
@@ -79,7 +80,7 @@ final class SimulatedPlane {
 
     /** The measured bodies, no more. */
     PlaneNet plain() {
-        return search((step, share) -> { }).plain().net();
+        return search((step, share) -> {}).plain().net();
     }
 
     /** The least arrangement that does what the simulation did. @param plain as {@link #plain()} gives it */
@@ -99,7 +100,8 @@ final class SimulatedPlane {
     private SimulatedPlane straightened(PlaneNet net) {
         Model model = model(net, 1);
         Model.Base base = model.base();
-        Model flat = new Model(model.name(), model.source(), model.axis(), new Model.Base(base.name(), base.sensor(), base.mass(), base.further(), Optional.empty()),
+        Model flat = new Model(model.name(), model.source(), model.axis(),
+                new Model.Base(base.name(), base.sensor(), base.mass(), base.further(), Optional.empty()),
                 model.bodies(), model.links(), model.inputs(), model.declared(), model.sensors());
         double[][] whole = outputs(model, together);
         double[][] small = outputs(flat, together);
@@ -122,10 +124,13 @@ final class SimulatedPlane {
     /** A net as a model. @param mass of all of it [kg] */
     Model model(PlaneNet net, double mass) {
         Map<String, List<String>> sensors = new LinkedHashMap<>();
-        places.forEach(place -> sensors.put(place, outputs.stream().filter(output -> output.location().equals(place)).map(Channel::toString).toList()));
+        places.forEach(place -> sensors.put(place,
+                outputs.stream().filter(output -> output.location().equals(place)).map(Channel::toString).toList()));
         try {
-            return ModelFile.parse(JSON.writeValueAsString(net.described("surrogate", axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
-                    mass / net.mass())), "surrogate");
+            return ModelFile.parse(JSON.writeValueAsString(
+                    net.described("surrogate", axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
+                            mass / net.mass())),
+                    "surrogate");
         } catch (JsonProcessingException never) {
             throw new IllegalStateException(never);
         }
@@ -155,7 +160,8 @@ final class SimulatedPlane {
 
     /** Every so many lines, but not that at no frequency. */
     private static double[] every(double[] spectrum, int step, int lines) {
-        return IntStream.iterate(1, k -> k < lines, k -> k + step).flatMap(k -> IntStream.of(2 * k, 2 * k + 1)).mapToDouble(i -> spectrum[i]).toArray();
+        return IntStream.iterate(1, k -> k < lines, k -> k + step).flatMap(k -> IntStream.of(2 * k, 2 * k + 1))
+                .mapToDouble(i -> spectrum[i]).toArray();
     }
 
     private static double[] accelerations(double[] rates, double[] omega) {

@@ -92,16 +92,18 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         return silent(driven, driven.plane(simulation), noise, unitsKnown, progress);
     }
 
-    private static Optional<Examined> silent(Driven driven, Optional<InPlane> plane, OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
-        Surrogate plain = plane.map(found -> driven.surrogate(found.simulated, found.plain)).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.plain()));
+    private static Optional<Examined> silent(Driven driven, Optional<InPlane> plane, OptionalDouble noise, boolean unitsKnown,
+            BiConsumer<String, Double> progress) {
+        Surrogate plain = plane.map(found -> driven.surrogate(found.simulated, found.plain)).filter(Surrogate::isGood)
+                .orElseGet(() -> driven.surrogate(driven.plain()));
         return Diagnoser.silent(plain.question(noise, unitsKnown), progress).map(found -> new Examined(plain, found));
     }
 
     /** What a simulation did in a plane, and the measured bodies alone that come nearest to it. */
-    private record InPlane(SimulatedPlane simulated, PlaneNet plain) { }
+    private record InPlane(SimulatedPlane simulated, PlaneNet plain) {}
 
     /** A surrogate and what came of the recording with it. */
-    public record Examined(Surrogate surrogate, Diagnosed diagnosed) { }
+    public record Examined(Surrogate surrogate, Diagnosed diagnosed) {}
 
     /** The best surrogate of a simulation, however good it is. */
     static Surrogate of(Recording recording, Recording simulation, String name, Channel input, BiConsumer<String, Double> progress) {
@@ -174,7 +176,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
         /** The measured bodies in a chain, and no more. */
         ChainSearch.Fitted plain() {
-            return new ChainSearch(driven, input, outputs, (step, share) -> { }).plain();
+            return new ChainSearch(driven, input, outputs, (step, share) -> {}).plain();
         }
 
         /** The least arrangement that does what the simulation did. */
@@ -197,7 +199,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         Surrogate surrogate(SimulatedPlane plane, PlaneNet net) {
             double mass = sitting(recording.metadata());
             Model found = plane.model(net, mass).seenBy(recording.channels());
-            Model model = new Model("surrogate of " + name, Optional.of(source(name, " in the plane of x and z", recording.metadata(), mass)), found.axis(),
+            Model model = new Model("surrogate of " + name,
+                    Optional.of(source(name, " in the plane of x and z", recording.metadata(), mass)), found.axis(),
                     found.base(), found.bodies(), found.links(), found.inputs(), found.declared(), found.sensors());
             double[][] own = SimulatedPlane.outputs(model, recording);
             Map<Channel, Double> errors = new LinkedHashMap<>();
@@ -221,11 +224,16 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 Channel sensor = model.outputs().get(o);
                 channels.put(beside(sensor), Measured.centred(less(given.apply(sensor), own[o])));
             }
-            List<Model.Body> bodies = model.bodies().stream().map(body -> body.completed(body.mass(), body.sensor().map(Driven::besides).orElse(List.of()),
-                    body.hidden(), body.forces())).toList();
-            List<Model.Sensor> sensors = model.sensors().stream().map(sensor -> new Model.Sensor(sensor.channel(), sensor.reads(), besides(sensor.channel()),
-                    sensor.at())).toList();
-            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared(), sensors);
+            List<Model.Body> bodies = model.bodies().stream()
+                    .map(body -> body.completed(body.mass(), body.sensor().map(Driven::besides).orElse(List.of()),
+                            body.hidden(), body.forces()))
+                    .toList();
+            List<Model.Sensor> sensors = model.sensors().stream()
+                    .map(sensor -> new Model.Sensor(sensor.channel(), sensor.reads(), besides(sensor.channel()),
+                            sensor.at()))
+                    .toList();
+            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(),
+                    model.declared(), sensors);
             return new Surrogate(complete, errors, new Recording(recording.clock(), channels, recording.metadata()), name);
         }
 
@@ -239,14 +247,15 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
         Surrogate surrogate(ChainSearch.Fitted chain) {
             String how = (held ? ", its input held over each sample" : "")
-                    + (others.isEmpty() ? "" : ", beside what " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
+                    + (others.isEmpty() ? ""
+                            : ", beside what " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
             Model model = finished(chain.model(), name, how, recording.metadata()).seenBy(recording.channels());
             return with(model, SimulatedPlane.outputs(model, driven), simulated::get, chain.errors());
         }
     }
 
     private static ChainSearch.Fitted plain(Recording driven, Channel input, List<Channel> outputs) {
-        return new ChainSearch(driven, input, outputs, (step, share) -> { }).plain();
+        return new ChainSearch(driven, input, outputs, (step, share) -> {}).plain();
     }
 
     /** The same with an input that is constant over each sample, as some simulations take it: half a sample late, nearly. */
@@ -298,7 +307,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     private static Map<Channel, double[]> given(Recording recording, Recording simulation, String name, Predicate<Channel> wanted) {
         Covered covered = Covered.of(recording.clock(), recording.length(), simulation, name);
         Map<Channel, double[]> out = new LinkedHashMap<>();
-        simulation.channels().stream().filter(wanted).forEach(channel -> out.put(channel, Excitation.bridged(covered.of(simulation, channel))));
+        simulation.channels().stream().filter(wanted)
+                .forEach(channel -> out.put(channel, Excitation.bridged(covered.of(simulation, channel))));
         return out;
     }
 
@@ -360,7 +370,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 body.sensor(), body.faults(), body.hidden(), body.forces())).toList();
         List<Model.Link> links = model.links().stream().map(link -> new Model.Link(link.from(), link.to(),
                 factor * link.stiffness(), factor * link.damping(), link.sensor(), link.laws(), link.drives())).toList();
-        return new Model("surrogate of " + name, Optional.of(source(name, how, known, mass)), model.axis(), model.base(), bodies, links, model.inputs(), model.declared());
+        return new Model("surrogate of " + name, Optional.of(source(name, how, known, mass)), model.axis(), model.base(), bodies, links,
+                model.inputs(), model.declared());
     }
 
     private boolean isGood() {
@@ -382,7 +393,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
     /** {@code platform-pelvis, pelvis-head}. */
     private String chain() {
-        return model.links().stream().map(link -> Model.whole(link.from()) + "-" + Model.whole(link.to())).distinct().collect(Collectors.joining(", "));
+        return model.links().stream().map(link -> Model.whole(link.from()) + "-" + Model.whole(link.to())).distinct()
+                .collect(Collectors.joining(", "));
     }
 
     /** What it is and how well it does, in a line. */

@@ -3,7 +3,7 @@ package wbv.filter.drift;
 /** Probabilities that the alarms are fed with. */
 public final class Probability {
 
-    private Probability() { }
+    private Probability() {}
 
     /**
      * Distribution function of χ² with one degree of freedom, erf(√(x/2)), to 2e-7 (Abramowitz and Stegun 1964, 7.1.26).

@@ -89,8 +89,8 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
         Json json = Json.read(path);
         json.only("comment", "questions", "time", "channels", "patterns");
         Map<Channel, Column> channels = new LinkedHashMap<>();
-        json.object("channels").ifPresent(all -> all.objects().forEach((channel, column) ->
-                channels.put(channel(all, channel), column(column, channel(all, channel).quantity().unit()))));
+        json.object("channels").ifPresent(all -> all.objects().forEach(
+                (channel, column) -> channels.put(channel(all, channel), column(column, channel(all, channel).quantity().unit()))));
         return new ColumnMap(path.toString(), time(json), channels, patterns(json));
     }
 

@@ -75,8 +75,10 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
             int width = DelimitedTable.names(lines.get(i), separator).size();
             if (width > 1 && numbers(lines.get(i), separator) >= 1 && ahead(lines, i, separator, width)) {
                 List<String> above = DelimitedTable.names(lines.get(i - 1), DelimitedTable.separator(lines.get(i - 1)));
-                boolean units = i > 1 && above.size() == width && unitsOnly(above) && DelimitedTable.names(lines.get(i - 2), separator).size() == width;
-                List<String> names = units ? DelimitedTable.names(lines.get(i - 2), separator) : DelimitedTable.names(lines.get(i - 1), separator);
+                boolean units = i > 1 && above.size() == width && unitsOnly(above)
+                        && DelimitedTable.names(lines.get(i - 2), separator).size() == width;
+                List<String> names = units ? DelimitedTable.names(lines.get(i - 2), separator)
+                        : DelimitedTable.names(lines.get(i - 1), separator);
                 if (names.size() != width || names.stream().anyMatch(name -> number(name, separator).isPresent())) {
                     throw DataFault.in(file, "has no line with the names of its " + width + " columns above the numbers; write one");
                 }
@@ -103,7 +105,8 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
             }
         }
         String parted = separator == '\t' ? "tabs" : separator == ';' ? "semicolons" : "commas";
-        List<Label> labels = names.stream().map(name -> new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1)).toList();
+        List<Label> labels = names.stream()
+                .map(name -> new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1)).toList();
         List<Optional<String>> beside = new ArrayList<>();
         for (int i = 0; i < names.size(); i++) {
             beside.add(units.isEmpty() ? Optional.empty() : Optional.of(units.get(i)));

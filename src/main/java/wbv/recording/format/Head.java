@@ -23,7 +23,8 @@ record Head(String name, byte[] bytes, List<String> lines) {
 
     /** Looks at an opened file. */
     static Head of(Source source) {
-        return new Head(source.name(), source.head(), source.headText().lines().map(Head::clean).filter(line -> !line.isEmpty()).limit(400).toList());
+        return new Head(source.name(), source.head(),
+                source.headText().lines().map(Head::clean).filter(line -> !line.isEmpty()).limit(400).toList());
     }
 
     /** Faults what is not text, with advice where the format is known. */
@@ -84,5 +85,5 @@ record Head(String name, byte[] bytes, List<String> lines) {
         return name.hashCode();
     }
 
-    private record Magic(String bytes, String advice) { }
+    private record Magic(String bytes, String advice) {}
 }

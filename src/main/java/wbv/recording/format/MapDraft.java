@@ -113,7 +113,8 @@ public final class MapDraft {
 
     private void time() {
         for (int i = 0; i < words.size() && clock < 0; i++) {
-            boolean named = table.time().map(table.labels().get(i).name()::equals).orElse(words.get(i).time() && words.get(i).label().quantity().isEmpty());
+            boolean named = table.time().map(table.labels().get(i).name()::equals)
+                    .orElse(words.get(i).time() && words.get(i).label().quantity().isEmpty());
             clock = named && rises(table.values()[i]) ? i : clock;
         }
         if (clock < 0 && table.rate().isPresent()) {
@@ -141,7 +142,8 @@ public final class MapDraft {
         Unit seconds = Unit.of(unit).orElseThrow();
         double rate = 1 / seconds.toSi(step);
         if (stated.isEmpty()) {
-            questions.add("Is '" + name + "' in " + unit + "? Its name does not say; its steps would make " + brief(rate) + " samples a second.");
+            questions.add(
+                    "Is '" + name + "' in " + unit + "? Its name does not say; its steps would make " + brief(rate) + " samples a second.");
         }
         time.put("column", name).put("unit", unit);
         if (seconds.toSi(table.values()[clock][0]) > EPOCH) {
@@ -158,7 +160,8 @@ public final class MapDraft {
             if (i == clock) {
                 continue;
             }
-            if (each.magnitude() || each.label().quantity().isEmpty() && !guessed || Arrays.stream(table.values()[i]).allMatch(Double::isNaN)) {
+            if (each.magnitude() || each.label().quantity().isEmpty() && !guessed
+                    || Arrays.stream(table.values()[i]).allMatch(Double::isNaN)) {
                 lines.add(each.label().name() + ": not read" + (each.magnitude() ? ", the length of a vector" : ""));
                 continue;
             }
@@ -169,7 +172,8 @@ public final class MapDraft {
             sensors.computeIfAbsent(each.label().place().orElse("") + " " + quantity.symbol() + (each.linear() ? " linear" : ""),
                     key -> new ArrayList<>()).add(i);
         }
-        List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty()).toList();
+        List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty())
+                .toList();
         if (!nowhere.isEmpty()) {
             questions.add("Where was the sensor of " + names(nowhere) + "? '" + ASSUMED_PLACE + "' stands for it.");
         }
@@ -186,7 +190,8 @@ public final class MapDraft {
         for (int k = 0; k < columns.size(); k++) {
             Label label = words.get(columns.get(k)).label();
             String axes = scale.quantity.axes();
-            Optional<Character> said = axes.length() == 1 ? Optional.of(axes.charAt(0)) : label.axis().filter(axis -> axes.indexOf(axis) >= 0);
+            Optional<Character> said = axes.length() == 1 ? Optional.of(axes.charAt(0))
+                    : label.axis().filter(axis -> axes.indexOf(axis) >= 0);
             char axis = said.orElse(inOrder ? axes.charAt(k) : 'z');
             if (said.isEmpty()) {
                 questions.add("Along which axis is '" + label.name() + "'? " + axis + " stands for it (x forward, y left, z up).");
@@ -202,10 +207,11 @@ public final class MapDraft {
     }
 
     /** @param why in words, to be put behind it */
-    private record Scale(Quantity quantity, String unit, double factor, String why) { }
+    private record Scale(Quantity quantity, String unit, double factor, String why) {}
 
     private Scale scale(Quantity named, List<Integer> columns, boolean linear) {
-        Optional<String> stated = words.get(columns.get(0)).label().unit().filter(unit -> Unit.of(unit).orElseThrow().dimension().equals(named.unit()));
+        Optional<String> stated = words.get(columns.get(0)).label().unit()
+                .filter(unit -> Unit.of(unit).orElseThrow().dimension().equals(named.unit()));
         if (named != Quantity.ACCELERATION && named != Quantity.SPECIFIC_FORCE) {
             if (stated.isEmpty() && named == Quantity.ANGULAR_RATE && counted) {
                 questions.add("How many counts of " + names(columns) + " are one deg/s? 131 is assumed, as of an MPU-6050 at ±250 deg/s.");
@@ -233,13 +239,15 @@ public final class MapDraft {
         }
         for (String unit : List.of("m/s2", "g", "mg")) {
             if (near(Unit.of(unit).orElseThrow().toSi(length), Unit.STANDARD_GRAVITY)) {
-                questions.add("Are " + names(columns) + " in " + unit + ", with gravity in them? Their mean is " + brief(length) + " long, which says so.");
+                questions.add("Are " + names(columns) + " in " + unit + ", with gravity in them? Their mean is " + brief(length)
+                        + " long, which says so.");
                 return new Scale(Quantity.SPECIFIC_FORCE, unit, 1, ", gravity in it");
             }
         }
         for (int counts : COUNTS) {
             if (near(length, counts)) {
-                questions.add("Are " + counts + " counts of " + names(columns) + " one g? Their mean is " + brief(length) + " long, which says so.");
+                questions.add("Are " + counts + " counts of " + names(columns) + " one g? Their mean is " + brief(length)
+                        + " long, which says so.");
                 counted = true;
                 return new Scale(Quantity.SPECIFIC_FORCE, "g", 1.0 / counts, ", gravity in it");
             }
@@ -250,7 +258,8 @@ public final class MapDraft {
 
     private String names(List<Integer> columns) {
         List<String> names = columns.stream().map(i -> "'" + words.get(i).label().name() + "'").toList();
-        return names.size() == 1 ? names.get(0) : String.join(", ", names.subList(0, names.size() - 1)) + " and " + names.get(names.size() - 1);
+        return names.size() == 1 ? names.get(0)
+                : String.join(", ", names.subList(0, names.size() - 1)) + " and " + names.get(names.size() - 1);
     }
 
     private static boolean near(double value, double truth) {

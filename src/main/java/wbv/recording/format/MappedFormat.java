@@ -14,7 +14,8 @@ record MappedFormat(ColumnMap map) implements Format {
     /** @throws DataFault if the map does not say where the time comes from, which a table does not know by itself */
     MappedFormat {
         if (map.time().own()) {
-            throw DataFault.in(map.name(), "'time' is missing: {\"column\": …, \"unit\": \"s\"}, or {\"rate_hz\": …} for a table without times");
+            throw DataFault.in(map.name(),
+                    "'time' is missing: {\"column\": …, \"unit\": \"s\"}, or {\"rate_hz\": …} for a table without times");
         }
     }
 
@@ -57,6 +58,6 @@ record MappedFormat(ColumnMap map) implements Format {
         Optional<ColumnMap.Column> time = map.time().column();
         return time.isPresent() ? cells.contains(time.get().name())
                 : cells.stream().anyMatch(cell -> map.patterns().stream().anyMatch(pattern -> pattern.match(cell).isPresent())
-                || map.channels().values().stream().anyMatch(column -> column.name().equals(cell)));
+                        || map.channels().values().stream().anyMatch(column -> column.name().equals(cell)));
     }
 }

@@ -72,7 +72,8 @@ final class MtManagerFormat implements Format {
                 OptionalDouble.empty(), Optional.of("MT Manager export"), columns.notes(notes)));
         DelimitedTable table = new DelimitedTable(lines, names, columns.slots(), separator, '/');
         boolean clock = counter.equals(CLOCK);
-        return new SensorReader(table, columns, metadata, clock ? first.tick() : hertz, clock ? CLOCK_RANGE : COUNTER_RANGE, Double.POSITIVE_INFINITY);
+        return new SensorReader(table, columns, metadata, clock ? first.tick() : hertz, clock ? CLOCK_RANGE : COUNTER_RANGE,
+                Double.POSITIVE_INFINITY);
     }
 
     private static OptionalDouble stated(Map<String, String> notes) {

@@ -104,7 +104,7 @@ final class MvnxReader implements RowReader {
                         return frame(values);
                     }
                 }
-                default -> { }
+                default -> {}
             }
         }
         return 0;

@@ -31,17 +31,22 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
             + "(m_?s_?2|m_per_s2|mps2|mm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|m_s|mm|n|kn|ms|us|ns|s|sec|v|mv|degc)$",
             Pattern.CASE_INSENSITIVE);
     private static final Pattern NUMBERED = Pattern.compile("^(.*?)(?:[(\\[]:,(\\d+)[)\\]]|[(\\[](\\d+),:[)\\]])$|^(\\d{1,3})$");
-    private static final Pattern COMPACT = Pattern.compile("^(a|acc|accel|linacc|g|gyr|gyro|w|rot|m|mag|q|quat|f|force|v|vel|d|pos)([xyzw])$");
-    private static final Map<String, String> TAILS = Map.ofEntries(Map.entry("ms2", "m/s2"), Map.entry("mpers2", "m/s2"), Map.entry("mps2", "m/s2"),
-            Map.entry("mms2", "mm/s2"), Map.entry("degs", "deg/s"), Map.entry("degpers", "deg/s"), Map.entry("rads", "rad/s"), Map.entry("radpers", "rad/s"),
-            Map.entry("n", "N"), Map.entry("kn", "kN"), Map.entry("sec", "s"), Map.entry("v", "V"), Map.entry("mv", "mV"), Map.entry("degc", "°C"));
+    private static final Pattern COMPACT = Pattern
+            .compile("^(a|acc|accel|linacc|g|gyr|gyro|w|rot|m|mag|q|quat|f|force|v|vel|d|pos)([xyzw])$");
+    private static final Map<String,
+            String> TAILS = Map.ofEntries(Map.entry("ms2", "m/s2"), Map.entry("mpers2", "m/s2"), Map.entry("mps2", "m/s2"),
+                    Map.entry("mms2", "mm/s2"), Map.entry("degs", "deg/s"), Map.entry("degpers", "deg/s"), Map.entry("rads", "rad/s"),
+                    Map.entry("radpers", "rad/s"),
+                    Map.entry("n", "N"), Map.entry("kn", "kN"), Map.entry("sec", "s"), Map.entry("v", "V"), Map.entry("mv", "mV"),
+                    Map.entry("degc", "°C"));
     private static final Map<String, Quantity> QUANTITIES = Map.ofEntries(
             Map.entry("a", Quantity.ACCELERATION), Map.entry("acc", Quantity.ACCELERATION), Map.entry("accel", Quantity.ACCELERATION),
             Map.entry("linacc", Quantity.ACCELERATION), Map.entry("acceleration", Quantity.ACCELERATION),
             Map.entry("accelerometer", Quantity.ACCELERATION), Map.entry("accg", Quantity.SPECIFIC_FORCE),
             Map.entry("g", Quantity.ANGULAR_RATE), Map.entry("w", Quantity.ANGULAR_RATE), Map.entry("rot", Quantity.ANGULAR_RATE),
             Map.entry("gyr", Quantity.ANGULAR_RATE),
-            Map.entry("gyro", Quantity.ANGULAR_RATE), Map.entry("gyroscope", Quantity.ANGULAR_RATE), Map.entry("omega", Quantity.ANGULAR_RATE),
+            Map.entry("gyro", Quantity.ANGULAR_RATE), Map.entry("gyroscope", Quantity.ANGULAR_RATE),
+            Map.entry("omega", Quantity.ANGULAR_RATE),
             Map.entry("angular", Quantity.ANGULAR_RATE), Map.entry("rotation", Quantity.ANGULAR_RATE),
             Map.entry("f", Quantity.FORCE), Map.entry("force", Quantity.FORCE), Map.entry("load", Quantity.FORCE),
             Map.entry("v", Quantity.VELOCITY), Map.entry("vel", Quantity.VELOCITY), Map.entry("velocity", Quantity.VELOCITY),
@@ -49,16 +54,21 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
             Map.entry("d", Quantity.POSITION), Map.entry("pos", Quantity.POSITION), Map.entry("position", Quantity.POSITION),
             Map.entry("disp", Quantity.POSITION),
             Map.entry("displacement", Quantity.POSITION),
-            Map.entry("m", Quantity.MAGNETIC_FIELD), Map.entry("mag", Quantity.MAGNETIC_FIELD), Map.entry("magnetometer", Quantity.MAGNETIC_FIELD),
+            Map.entry("m", Quantity.MAGNETIC_FIELD), Map.entry("mag", Quantity.MAGNETIC_FIELD),
+            Map.entry("magnetometer", Quantity.MAGNETIC_FIELD),
             Map.entry("q", Quantity.QUATERNION), Map.entry("quat", Quantity.QUATERNION), Map.entry("quaternion", Quantity.QUATERNION),
-            Map.entry("temp", Quantity.TEMPERATURE), Map.entry("temperature", Quantity.TEMPERATURE), Map.entry("voltage", Quantity.VOLTAGE));
-    private static final Map<String, Character> AXES = Map.of("x", 'x', "y", 'y', "z", 'z', "longitudinal", 'x', "lateral", 'y', "vertical", 'z');
-    private static final Set<String> TIMES = Set.of("t", "time", "timestamp", "zeit", "millis", "micros", "seconds", "elapsed", "uptime", "sampletime");
+            Map.entry("temp", Quantity.TEMPERATURE), Map.entry("temperature", Quantity.TEMPERATURE),
+            Map.entry("voltage", Quantity.VOLTAGE));
+    private static final Map<String,
+            Character> AXES = Map.of("x", 'x', "y", 'y', "z", 'z', "longitudinal", 'x', "lateral", 'y', "vertical", 'z');
+    private static final Set<
+            String> TIMES = Set.of("t", "time", "timestamp", "zeit", "millis", "micros", "seconds", "elapsed", "uptime", "sampletime");
     private static final Set<String> MAGNITUDES = Set.of("abs", "absolute", "magnitude", "norm", "total", "resultant", "svm");
     private static final Set<String> LINEAR = Set.of("lin", "linear", "linacc", "free", "user");
-    private static final Set<String> EMPTY_WORDS = Set.of("sensor", "raw", "value", "signal", "channel", "data", "axis", "rate", "velocity", "measured",
-            "pad", "without", "with", "of",
-            "the", "in", "per", "and");
+    private static final Set<
+            String> EMPTY_WORDS = Set.of("sensor", "raw", "value", "signal", "channel", "data", "axis", "rate", "velocity", "measured",
+                    "pad", "without", "with", "of",
+                    "the", "in", "per", "and");
     /** A word of one letter says a quantity only where an axis stands beside it. */
     private static final int LETTER = 1;
 
@@ -73,7 +83,8 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
         int number = 0;
         Matcher numbered = NUMBERED.matcher(rest);
         if (numbered.matches()) {
-            String digits = numbered.group(2) != null ? numbered.group(2) : numbered.group(3) != null ? numbered.group(3) : numbered.group(4);
+            String digits = numbered.group(2) != null ? numbered.group(2)
+                    : numbered.group(3) != null ? numbered.group(3) : numbered.group(4);
             number = Integer.parseInt(digits) + (rest.contains("[") ? 1 : 0);
             rest = numbered.group(1) == null ? "" : numbered.group(1);
         }

@@ -124,7 +124,7 @@ public final class PipedReader implements RowReader {
 
     private void place(double[] row) {
         switch (clock.place(row[0])) {
-            case REPEATED, LATE -> { }
+            case REPEATED, LATE -> {}
             case RESTARTED -> {
                 start = row[0];
                 sample = 0;

@@ -3,7 +3,7 @@ package wbv.recording.format;
 /** Rotation matrices as quaternions. */
 final class Rotation {
 
-    private Rotation() { }
+    private Rotation() {}
 
     /**
      * The unit quaternion w, x, y, z, w not negative, of a rotation matrix (Shepperd 1978: the greatest of the four squares is

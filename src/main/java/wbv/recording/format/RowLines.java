@@ -88,7 +88,8 @@ public final class RowLines {
         line++;
         int start = from;
         int stop = to;
-        if (line == 1 && stop - start >= 3 && text[start] == (byte) 0xEF && text[start + 1] == (byte) 0xBB && text[start + 2] == (byte) 0xBF) {
+        if (line == 1 && stop - start >= 3 && text[start] == (byte) 0xEF && text[start + 1] == (byte) 0xBB
+                && text[start + 2] == (byte) 0xBF) {
             start += 3;
         }
         while (stop > start && text[stop - 1] >= 0 && text[stop - 1] <= ' ' && text[stop - 1] != '\t') {

@@ -38,8 +38,9 @@ record SignalFormat(SignalKind kind) implements Format {
         ColumnMap map = context.options().map().map(given -> given.time().own() ? given.timed(own(signals, source.name(), context)) : given)
                 .orElseGet(() -> said(signals, source.name(), context, notes));
         MappedColumns columns = MappedColumns.of(source.name(), 0, names, map);
-        Metadata metadata = context.metadata(new Metadata(map.time().rate(), Map.of(), Optional.empty(), Optional.empty(), OptionalDouble.empty(),
-                Optional.of(kind + " file"), notes));
+        Metadata metadata = context
+                .metadata(new Metadata(map.time().rate(), Map.of(), Optional.empty(), Optional.empty(), OptionalDouble.empty(),
+                        Optional.of(kind + " file"), notes));
         return new MappedReader(new SignalRows(source, signals, columns.slots()), columns, map.time(), metadata);
     }
 
@@ -73,7 +74,8 @@ record SignalFormat(SignalKind kind) implements Format {
                     + ") does not say its unit; " + ADVICE));
             ColumnMap.Column other = channels.put(channel, new ColumnMap.Column(label.name(), unit, label.sign()));
             if (other != null) {
-                throw DataFault.in(file, "the signals '" + other.name() + "' and '" + label.name() + "' are both " + channel + "; " + ADVICE);
+                throw DataFault.in(file,
+                        "the signals '" + other.name() + "' and '" + label.name() + "' are both " + channel + "; " + ADVICE);
             }
         }
         if (channels.isEmpty()) {
@@ -90,6 +92,7 @@ record SignalFormat(SignalKind kind) implements Format {
                 .orElseThrow(() -> DataFault.in(file, "the signal '" + label.name() + "' does not say its place; " + ADVICE));
         Optional<Character> axis = quantity.axes().length() == 1 ? Optional.of(quantity.axes().charAt(0)) : label.axis();
         return axis.filter(letter -> quantity.axes().indexOf(letter) >= 0).map(letter -> new Channel(place, quantity, letter))
-                .orElseThrow(() -> DataFault.in(file, "the signal '" + label.name() + "' (" + quantity.symbol() + ") does not say its direction; " + ADVICE));
+                .orElseThrow(() -> DataFault.in(file,
+                        "the signal '" + label.name() + "' (" + quantity.symbol() + ") does not say its direction; " + ADVICE));
     }
 }

@@ -118,8 +118,8 @@ final class FirstLook {
 
     /** Median departure of a difference from a whole number of steps, one at least [s]. */
     private double departure(double step) {
-        double[] departures = Arrays.stream(differences).map(difference ->
-                Math.abs(difference - step * Math.max(1, Math.rint(difference / step)))).sorted().toArray();
+        double[] departures = Arrays.stream(differences)
+                .map(difference -> Math.abs(difference - step * Math.max(1, Math.rint(difference / step)))).sorted().toArray();
         return departures[departures.length / 2];
     }
 

@@ -21,7 +21,7 @@ import wbv.recording.Header;
  * @param findings  what is wrong or worth knowing, gravest first
  */
 public record Inspection(String name, long rows, long samples, Clock clock, Timing timing, Map<Channel, Summary> summaries,
-                         List<Finding> findings) {
+        List<Finding> findings) {
 
     public Inspection {
         summaries = Collections.unmodifiableMap(new LinkedHashMap<>(summaries));

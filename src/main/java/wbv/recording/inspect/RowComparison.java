@@ -3,7 +3,7 @@ package wbv.recording.inspect;
 /** Comparison of rows. */
 final class RowComparison {
 
-    private RowComparison() { }
+    private RowComparison() {}
 
     /** True if two rows hold the same numbers, NaN being the same as NaN. */
     static boolean same(double[] one, double[] two) {

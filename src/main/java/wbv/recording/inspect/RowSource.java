@@ -33,7 +33,7 @@ public interface RowSource {
 
     /** Reads everything once and says what is there and what is wrong with it. Memory does not grow with the length. */
     default Inspection inspect() throws IOException {
-        return inspect(fraction -> { });
+        return inspect(fraction -> {});
     }
 
     /**
@@ -82,7 +82,7 @@ public interface RowSource {
             if (needed > 0.8 * Runtime.getRuntime().maxMemory() || inspection.samples() > Integer.MAX_VALUE - 8) {
                 throw DataFault.in(toString(),
                         String.format("%d samples of %d channels need %.1f GB of memory; read it as a stream,"
-                        + " cut it, or give Java more (-Xmx)", inspection.samples(), channels.size(), needed / 1e9));
+                                + " cut it, or give Java more (-Xmx)", inspection.samples(), channels.size(), needed / 1e9));
             }
             double[][] columns = new double[channels.size()][(int) inspection.samples()];
             double[] row = new double[1 + channels.size()];

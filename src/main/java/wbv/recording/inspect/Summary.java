@@ -10,4 +10,4 @@ package wbv.recording.inspect;
  * @param min     least sample
  * @param max     greatest sample
  */
-public record Summary(long count, long missing, double mean, double rms, double min, double max) { }
+public record Summary(long count, long missing, double mean, double rms, double min, double max) {}

@@ -150,7 +150,7 @@ final class Times {
         if (tracker == null) {
             throw DataFault.in(name, rows == 0 ? "has a header but no row; a recording needs at least two samples"
                     : rows - repeats == 1 ? "has 1 sample only; a recording needs at least two"
-                    : "the time never increases over its " + rows + " rows; a recording needs two different times");
+                            : "the time never increases over its " + rows + " rows; a recording needs two different times");
         }
         double rate = measuredRate();
         if (!Clock.isRate(rate / (1 + BEYOND)) && !Clock.isRate(rate * (1 + BEYOND))) {

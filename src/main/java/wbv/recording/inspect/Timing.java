@@ -12,4 +12,4 @@ package wbv.recording.inspect;
  * @param jitter     root mean square departure of the times from even spacing [s], their rounding included
  * @param irregular  true if that is more than rounding explains, so that rows have to be interpolated
  */
-public record Timing(double phase, double step, double blur, double resolution, double jitter, boolean irregular) { }
+public record Timing(double phase, double step, double blur, double resolution, double jitter, boolean irregular) {}

@@ -19,7 +19,7 @@ final class HdfSignals {
 
     private static final String MATLAB = "MATLAB_class";
 
-    private HdfSignals() { }
+    private HdfSignals() {}
 
     static SignalFile read(String file, Path path) {
         try (HdfFile hdf = new HdfFile(path)) {

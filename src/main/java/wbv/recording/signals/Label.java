@@ -15,7 +15,8 @@ import wbv.recording.Unit;
  * @param unit     as {@link Unit} writes it
  * @param sign     -1 where the sensor points against the axis, else 1
  */
-public record Label(String name, Optional<String> place, Optional<Quantity> quantity, Optional<Character> axis, Optional<String> unit, int sign) {
+public record Label(String name, Optional<String> place, Optional<Quantity> quantity, Optional<Character> axis, Optional<String> unit,
+        int sign) {
 
     public Label {
         if (Math.abs(sign) != 1) {
@@ -37,14 +38,16 @@ public record Label(String name, Optional<String> place, Optional<Quantity> quan
 
     /** The channel that a name says, with dots or underscores between its words; of {@code ride.head_acc_z} the last word. */
     static Optional<Channel> channel(String name) {
-        String word = name.substring(Math.max(name.lastIndexOf('/'), name.matches(".*\\.[^.]*_[^.]*_[^.]*") ? name.lastIndexOf('.') : -1) + 1);
+        String word = name
+                .substring(Math.max(name.lastIndexOf('/'), name.matches(".*\\.[^.]*_[^.]*_[^.]*") ? name.lastIndexOf('.') : -1) + 1);
         int axis = Math.max(word.lastIndexOf('_'), word.lastIndexOf('.'));
         int quantity = Math.max(word.lastIndexOf('_', axis - 1), word.lastIndexOf('.', axis - 1));
         if (quantity <= 0) {
             return Optional.empty();
         }
         try {
-            return Optional.of(Channel.parse(word.substring(0, quantity) + "." + word.substring(quantity + 1, axis) + "." + word.substring(axis + 1)));
+            return Optional.of(
+                    Channel.parse(word.substring(0, quantity) + "." + word.substring(quantity + 1, axis) + "." + word.substring(axis + 1)));
         } catch (IllegalArgumentException other) {
             return Optional.empty();
         }

@@ -27,7 +27,7 @@ final class MatFile {
     /** Letters of a name in MATLAB ({@code namelengthmax}). */
     private static final int LONGEST_NAME = 63;
 
-    private MatFile() { }
+    private MatFile() {}
 
     static SignalFile read(String file, InputStream content) throws IOException {
         MatrixColumns columns = new MatrixColumns(file, true);

@@ -18,7 +18,8 @@ import wbv.recording.Header;
  */
 final class MatrixColumns {
 
-    private static final Set<String> RATES = Set.of("fs", "ratehz", "rate", "samplerate", "samplingrate", "samplingfrequency", "samplefrequency", "sr", "freq");
+    private static final Set<String> RATES = Set.of("fs", "ratehz", "rate", "samplerate", "samplingrate", "samplingfrequency",
+            "samplefrequency", "sr", "freq");
     private static final Set<String> STEPS = Set.of("dt", "ts", "sampletime", "sampleinterval", "samplinginterval", "increment");
     private static final Set<String> TIMES = Set.of("t", "time", "times", "timestamp", "timestamps");
     /** A recording has fewer signals than samples; what is larger is a table of something else. */
@@ -59,7 +60,8 @@ final class MatrixColumns {
     }
 
     private static String bare(String name) {
-        return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('/')) + 1).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+        return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('/')) + 1).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]",
+                "");
     }
 
     /** How the matrix's own language writes one of its columns, or rows where they lie. */

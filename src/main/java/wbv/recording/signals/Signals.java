@@ -19,7 +19,8 @@ final class Signals implements SignalFile {
     private int next;
 
     /** @param values of each label, by sample @param length samples of each */
-    Signals(List<Label> labels, List<IntToDoubleFunction> values, int length, Optional<String> time, OptionalDouble rate, Map<String, String> notes) {
+    Signals(List<Label> labels, List<IntToDoubleFunction> values, int length, Optional<String> time, OptionalDouble rate,
+            Map<String, String> notes) {
         this.labels = List.copyOf(labels);
         this.values = List.copyOf(values);
         this.time = time;

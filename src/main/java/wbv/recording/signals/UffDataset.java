@@ -26,7 +26,7 @@ import wbv.recording.Unit;
  * @param values    in that unit
  */
 record UffDataset(String title, int function, String entity, int node, int direction, int type, String unit, boolean complex, int abscissa,
-                  double[] times, double start, double rate, double[] values) {
+        double[] times, double start, double rate, double[] values) {
 
     private static final int TIME_RESPONSE = 1;
     private static final int UNKNOWN = 0;
@@ -73,7 +73,8 @@ record UffDataset(String title, int function, String entity, int node, int direc
         boolean complex = numbers == 5 || numbers == 6;
         boolean twice = numbers == 4 || numbers == 6;
         if (!complex && numbers != 2 && numbers != 4 || count < 0 || even && !(rate > 0 && Double.isFinite(rate))) {
-            throw in.fault("a dataset 58 states " + count + " numbers of type " + numbers + (even ? " every " + 1 / rate + " s" : "") + "; it is damaged");
+            throw in.fault("a dataset 58 states " + count + " numbers of type " + numbers + (even ? " every " + 1 / rate + " s" : "")
+                    + "; it is damaged");
         }
         int width = (complex ? 2 : 1) + (even ? 0 : 1);
         double[] all = new double[0];

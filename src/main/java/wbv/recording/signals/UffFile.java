@@ -100,7 +100,8 @@ final class UffFile {
         if (others > 0) {
             notes.put("not read", others + " datasets that are no signals over time");
         }
-        return new Signals(labels, values, first.values().length, own ? Optional.of(TIME) : Optional.empty(), own ? OptionalDouble.empty() : OptionalDouble.of(first.rate()), notes);
+        return new Signals(labels, values, first.values().length, own ? Optional.of(TIME) : Optional.empty(),
+                own ? OptionalDouble.empty() : OptionalDouble.of(first.rate()), notes);
     }
 
     private static double[] times(UffDataset set) {
@@ -117,22 +118,26 @@ final class UffFile {
     private void requireOneClock(UffDataset first, UffDataset other, int number) {
         boolean even = first.times().length == 0;
         boolean one = first.values().length == other.values().length && even == (other.times().length == 0)
-                && (even ? Math.abs(first.rate() - other.rate()) <= SAME * first.rate() && Math.abs(first.start() - other.start()) * first.rate() <= 1e-3
-                : Arrays.equals(first.times(), other.times()));
+                && (even ? Math.abs(first.rate() - other.rate()) <= SAME * first.rate()
+                        && Math.abs(first.start() - other.start()) * first.rate() <= 1e-3
+                        : Arrays.equals(first.times(), other.times()));
         if (!one) {
-            throw DataFault.in(file, "its signals have no common clock: " + clock(first) + " in the first, " + clock(other) + " in number " + number
-                    + "; export those that belong together into a file of their own");
+            throw DataFault.in(file,
+                    "its signals have no common clock: " + clock(first) + " in the first, " + clock(other) + " in number " + number
+                            + "; export those that belong together into a file of their own");
         }
     }
 
     private static String clock(UffDataset set) {
-        return set.values().length + " samples" + (set.times().length > 0 ? " at times of their own" : " at " + set.rate() + " Hz from " + set.start() + " s");
+        return set.values().length + " samples"
+                + (set.times().length > 0 ? " at times of their own" : " at " + set.rate() + " Hz from " + set.start() + " s");
     }
 
     private Label label(UffDataset set, int number, Set<String> taken) {
         Optional<Channel> named = Label.channel(set.title());
         String place = place(set);
-        String made = set.title().isEmpty() ? (place + " " + set.axis().map(axis -> (set.direction() < 0 ? "-" : "+") + axis).orElse("")).strip() : set.title();
+        String made = set.title().isEmpty()
+                ? (place + " " + set.axis().map(axis -> (set.direction() < 0 ? "-" : "+") + axis).orElse("")).strip() : set.title();
         String name = taken.contains(made) ? made + " #" + number : made;
         Optional<Quantity> quantity = named.map(Channel::quantity).or(set::quantity);
         Optional<String> unit = set.unit().isEmpty()

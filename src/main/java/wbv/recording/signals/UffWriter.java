@@ -15,7 +15,7 @@ import wbv.recording.Quantity;
 /** Writes a universal file: SI by dataset 164, then one dataset 58 or 58b a channel, in double precision. Text has 13 digits. */
 final class UffWriter {
 
-    private UffWriter() { }
+    private UffWriter() {}
 
     static void write(SampledColumns columns, boolean binary, OutputStream out) throws IOException {
         double rate = columns.rate();
@@ -52,14 +52,16 @@ final class UffWriter {
         to.flush();
     }
 
-    private static void head(StringBuilder text, SampledColumns columns, double rate, Channel channel, int node, int number, boolean binary) {
+    private static void head(StringBuilder text, SampledColumns columns, double rate, Channel channel, int node, int number,
+            boolean binary) {
         Quantity quantity = channel.quantity();
         String place = channel.location().substring(0, Math.min(10, channel.location().length()));
         text.append(String.format("%6d%n", -1));
         text.append(binary ? String.format("%6sb%6d%6d%12d%12d%6d%6d%12d%12d%n", "58", 1, 2, 11, 8L * columns.length(), 0, 0, 0, 0)
                 : String.format("%6d%n", 58));
         text.append(String.format("%s%nwbv%nNONE%nNONE%nNONE%n", channel));
-        text.append(String.format("%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d%n", 1, number, 0, 0, place, node, direction(channel), "NONE", 0, 0));
+        text.append(String.format("%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d%n", 1, number, 0, 0, place, node, direction(channel), "NONE", 0,
+                0));
         text.append(String.format("%10d%10d%10d%s%s%s%n", 4, columns.length(), 1, narrow(columns.time(0)), narrow(1 / rate), narrow(0)));
         text.append(String.format("%10d%5d%5d%5d %-20s %-20s%n", 17, 0, 0, 0, "Time", "s"));
         int length = quantity == Quantity.ACCELERATION || quantity == Quantity.SPECIFIC_FORCE || quantity == Quantity.VELOCITY

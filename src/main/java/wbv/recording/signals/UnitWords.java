@@ -8,7 +8,7 @@ import wbv.recording.Unit;
 /** Units as people and programs write them: {@code m/sec^2}, {@code [G]}, {@code (deg/sec)}. */
 public final class UnitWords {
 
-    private UnitWords() { }
+    private UnitWords() {}
 
     /** The symbol that {@link Unit} knows for what is written, if it is one. */
     public static Optional<String> of(String written) {

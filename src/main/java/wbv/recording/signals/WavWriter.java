@@ -16,7 +16,7 @@ final class WavWriter {
     /** How far the whole number of samples a second that a WAV states may be from the rate. */
     private static final double OFF = 1e-3;
 
-    private WavWriter() { }
+    private WavWriter() {}
 
     static void write(SampledColumns columns, OutputStream out) throws IOException {
         double rate = columns.rate();
@@ -34,7 +34,8 @@ final class WavWriter {
         byte[] comment = even(WavFile.CHANNELS + names + "; " + WavFile.RATE + rate + " Hz");
         ByteBuffer head = ByteBuffer.allocate(12 + 8 + 18 + 8 + 4 + 8 + 4 + 8 + comment.length + 8).order(ByteOrder.LITTLE_ENDIAN);
         head.put(tag("RIFF")).putInt((int) (head.capacity() - 8 + data)).put(tag("WAVE"));
-        head.put(tag("fmt ")).putInt(18).putShort((short) 3).putShort((short) channels).putInt((int) whole).putInt((int) (whole * 4 * channels))
+        head.put(tag("fmt ")).putInt(18).putShort((short) 3).putShort((short) channels).putInt((int) whole)
+                .putInt((int) (whole * 4 * channels))
                 .putShort((short) (4 * channels)).putShort((short) 32).putShort((short) 0);
         head.put(tag("fact")).putInt(4).putInt(columns.length());
         head.put(tag("LIST")).putInt(4 + 8 + comment.length).put(tag("INFO")).put(tag("ICMT")).putInt(comment.length).put(comment);

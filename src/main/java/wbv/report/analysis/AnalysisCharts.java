@@ -77,9 +77,12 @@ final class AnalysisCharts {
         LineChart chart = new LineChart(analysis.input() + " to " + followed.channel(), ChartAxis.log("Frequency", "Hz"),
                 ChartAxis.linear("Modulus", ratio(followed.channel())).within(0, 1.15 * top), series)
                 .shaded(shades(h, shown, f)).grouped(group(followed));
-        return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
-                + " 1. Hatched frequencies are not to be believed." + (BodyTile.of(analysis.bodies().get(i)).single() ? " Broken: the body that simulates the"
-                + " output best." : "") + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
+        return chart
+                .noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
+                        + " 1. Hatched frequencies are not to be believed."
+                        + (BodyTile.of(analysis.bodies().get(i)).single() ? " Broken: the body that simulates the"
+                                + " output best." : "")
+                        + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
     }
 
     /** Transmissibility of a body of one mode on a shaken base. */
@@ -99,7 +102,8 @@ final class AnalysisCharts {
             int[] shown = shown(h);
             double[] f = pick(h.frequency(), shown);
             double[] degrees = Arrays.stream(pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
-            return new LineChart("Phase", ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Phase", "°"), List.of(Series.line("H1", f, degrees)))
+            return new LineChart("Phase", ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Phase", "°"),
+                    List.of(Series.line("H1", f, degrees)))
                     .shaded(shades(h, shown, f)).grouped(group(followed));
         });
     }
@@ -191,20 +195,24 @@ final class AnalysisCharts {
         }
         List<Marker> cuts = Arrays.stream(followed.cuts()).mapToObj(t -> new Marker(start + t, "cut")).toList();
         String group = "body " + followed.channel();
-        return List.of(new Beside(tracked("Natural frequency, " + followed.channel(), "Natural frequency", "Hz", followed.outlines().get(0).frequency(),
-                followed.outlines().get(0).frequencyDeviation()).marked(cuts).grouped(group),
-                tracked("Damping ratio, " + followed.channel(), "Damping ratio", "1", followed.outlines().get(0).damping(), followed.outlines().get(0).dampingDeviation())
-                .marked(cuts).grouped(group)), new Text(BodyTile.of(analysis.bodies().get(i)).explains("") + " Mean NIS "
-                + Digits.significant(followed.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
-                + followed.track().divergences() + " divergences, " + followed.track().missing()
-                + " samples missing."));
+        return List.of(new Beside(
+                tracked("Natural frequency, " + followed.channel(), "Natural frequency", "Hz", followed.outlines().get(0).frequency(),
+                        followed.outlines().get(0).frequencyDeviation()).marked(cuts).grouped(group),
+                tracked("Damping ratio, " + followed.channel(), "Damping ratio", "1", followed.outlines().get(0).damping(),
+                        followed.outlines().get(0).dampingDeviation())
+                        .marked(cuts).grouped(group)),
+                new Text(BodyTile.of(analysis.bodies().get(i)).explains("") + " Mean NIS "
+                        + Digits.significant(followed.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
+                        + followed.track().divergences() + " divergences, " + followed.track().missing()
+                        + " samples missing."));
     }
 
     private LineChart tracked(String title, String label, String unit, Envelope value, Envelope deviation) {
         double[] y = values(value, value::mean);
-        return new LineChart(title, ChartAxis.linear("Time", "s"), ChartAxis.linear(label, unit), List.of(Series.line(label.toLowerCase(Locale.ROOT),
-                IntStream.range(0, value.size()).mapToDouble(k -> start + value.centre(k) / rate).toArray(), y)
-                .with(Band.deviations(y, values(deviation, deviation::mean), 2, "±2σ"))));
+        return new LineChart(title, ChartAxis.linear("Time", "s"), ChartAxis.linear(label, unit),
+                List.of(Series.line(label.toLowerCase(Locale.ROOT),
+                        IntStream.range(0, value.size()).mapToDouble(k -> start + value.centre(k) / rate).toArray(), y)
+                        .with(Band.deviations(y, values(deviation, deviation::mean), 2, "±2σ"))));
     }
 
     /** A channel's samples. */
@@ -232,7 +240,8 @@ final class AnalysisCharts {
             values[c] = IntStream.range(1, rows).mapToDouble(k -> Double.isFinite(decibels[k]) ? decibels[k] : Double.NaN).toArray();
         }
         return new Heatmap(channel.toString(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
-                ChartAxis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values)
+                ChartAxis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows),
+                values)
                 .grouped("spectrogram");
     }
 
@@ -250,7 +259,8 @@ final class AnalysisCharts {
 
     /** Unit of a power spectral density; each channel's own where input and outputs differ. */
     private String densityUnit() {
-        List<String> units = Stream.concat(Stream.of(analysis.input()), analysis.outputs().stream()).map(c -> c.quantity().unit()).distinct()
+        List<String> units = Stream.concat(Stream.of(analysis.input()), analysis.outputs().stream()).map(c -> c.quantity().unit())
+                .distinct()
                 .toList();
         return units.size() == 1 ? "(" + units.get(0) + ")²/Hz" : "unit²/Hz";
     }

@@ -87,7 +87,8 @@ public final class AnalysisPage {
         return new Section("Spectra", "Welch averages: Hann window, segments of "
                 + Digits.significant(analysis.segmentation().duration(), 3) + " s overlapping by half, resolution "
                 + Digits.significant(analysis.segmentation().resolution(), 2) + " Hz." + charts.weighted().map(channel -> " Broken: "
-                + channel + " as ISO 2631-1 weights it, " + "of which a_w is the root of the area.").orElse(""), charts.spectra());
+                        + channel + " as ISO 2631-1 weights it, " + "of which a_w is the root of the area.").orElse(""),
+                charts.spectra());
     }
 
     private Section bodies() {
@@ -122,7 +123,8 @@ public final class AnalysisPage {
         }
         return new Table("The body between " + analysis.input() + " and each output, over the recording (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
-                        Table.Column.numbers("Explained"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")), rows);
+                        Table.Column.numbers("Explained"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")),
+                rows);
     }
 
     private Section signals() {
@@ -133,12 +135,14 @@ public final class AnalysisPage {
             Channel output = analysis.followed().get(i).channel();
             (analysis.shown(output) ? blocks : folded).add(charts.history(output));
         }
-        analysis.states().ifPresent(states -> blocks.add(new StateTile(states).chart(analysis.inspection().clock().start()).grouped("time")));
+        analysis.states()
+                .ifPresent(states -> blocks.add(new StateTile(states).chart(analysis.inspection().clock().start()).grouped("time")));
         if (!folded.isEmpty()) {
             blocks.add(new Folded("Every other output", folded));
         }
         int width = analysis.samplesAPoint();
-        String zoom = "Zoom in down to single samples" + (width > 1 ? "; of the longest signals, to the range of " + width + " samples. " : ". ");
+        String zoom = "Zoom in down to single samples"
+                + (width > 1 ? "; of the longest signals, to the range of " + width + " samples. " : ". ");
         return new Section(analysis.states().isPresent() ? "Signals and motion states" : "Signals",
                 zoom + analysis.states().map(StateTile::new).map(StateTile::way).orElse(""), blocks);
     }
@@ -162,7 +166,8 @@ public final class AnalysisPage {
         blocks.add(new Folded("All " + seen.summaries().size() + " channels: mean, r.m.s., range, missing samples",
                 RecordingSection.channels(seen)));
         if (!seen.findings().isEmpty()) {
-            blocks.add(new Folded("All notes, one by one: " + seen.findings().size(), RecordingSection.findings(FoldedFindings.each(seen), "")));
+            blocks.add(new Folded("All notes, one by one: " + seen.findings().size(),
+                    RecordingSection.findings(FoldedFindings.each(seen), "")));
         }
         blocks.add(new Folded("The same results again: command, version, checksums", new Table("", List.of(Table.Column.words("What"),
                 Table.Column.words("Value")), made.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList()),

@@ -37,7 +37,8 @@ final class AnalysisTiles {
         exposure().ifPresent(tiles::add);
         tiles.add(transmissibility());
         FollowedBody leading = analysis.followed().get(analysis.leading());
-        tiles.add(BodyTile.of(analysis.bodies().get(analysis.leading())).tile(analysis.input().location() + " to " + leading.channel().location()));
+        tiles.add(BodyTile.of(analysis.bodies().get(analysis.leading()))
+                .tile(analysis.input().location() + " to " + leading.channel().location()));
         analysis.states().ifPresent(states -> tiles.add(new StateTile(states).tile()));
         tiles.add(data());
         return new Tiles(tiles);

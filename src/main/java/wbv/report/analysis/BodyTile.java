@@ -95,7 +95,8 @@ final class BodyTile {
         if (path.body().isPresent()) {
             lines.add(explains(", " + way));
         }
-        return found() ? new Tiles.Tile("Equivalent body", Digits.rounded(modes.get(0).frequency(), 2), "Hz", gauge, lines, Tiles.Tone.PLAIN)
+        return found()
+                ? new Tiles.Tile("Equivalent body", Digits.rounded(modes.get(0).frequency(), 2), "Hz", gauge, lines, Tiles.Tone.PLAIN)
                 : new Tiles.Tile("Equivalent body", "no number", "", gauge, lines, Tiles.Tone.PLAIN);
     }
 
@@ -114,6 +115,7 @@ final class BodyTile {
 
     /** With a large first letter, unless the first word is a channel's name. */
     static String capital(String words) {
-        return words.isEmpty() || words.split(" ", 2)[0].contains(".") ? words : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+        return words.isEmpty() || words.split(" ", 2)[0].contains(".") ? words
+                : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 }

@@ -23,10 +23,12 @@ final class ExposureTile {
     Tiles.Tile tile() {
         SeatMeasurement measured = judged.measured();
         List<String> lines = new ArrayList<>();
-        lines.add("A(8) of " + (judged.known() ? JudgedExposure.duration(judged.task().minutes()) : "eight hours") + " a day, along " + judged.worst().letter() + ": "
+        lines.add("A(8) of " + (judged.known() ? JudgedExposure.duration(judged.task().minutes()) : "eight hours") + " a day, along "
+                + judged.worst().letter() + ": "
                 + Directive.Verdict.ofA8(judged.a8()).words() + ".");
         if (judged.doseDecides()) {
-            lines.add("By its shocks " + judged.verdict().words() + ": dose " + Digits.significant(judged.dose(), 2) + "\u00a0" + JudgedExposure.DOSE + ".");
+            lines.add("By its shocks " + judged.verdict().words() + ": dose " + Digits.significant(judged.dose(), 2) + "\u00a0"
+                    + JudgedExposure.DOSE + ".");
         }
         double minutes = judged.task().minutesUntilA8(Directive.ACTION);
         double byDose = judged.task().minutesUntilVdv(Directive.ACTION);
@@ -38,8 +40,9 @@ final class ExposureTile {
                 + "; VDV " + Digits.significant(measured.axes().get(judged.worst()).vdv(), 2) + "\u00a0" + JudgedExposure.DOSE + " in "
                 + Digits.significant(measured.axes().get(judged.worst()).seconds(), 3) + "\u00a0s.");
         if (judged.band().lowerBound()) {
-            lines.add("A lower bound: " + Digits.significant(judged.band().to(), 3) + " of " + Digits.significant(judged.band().nominal(), 3)
-                    + "\u00a0Hz are seen.");
+            lines.add(
+                    "A lower bound: " + Digits.significant(judged.band().to(), 3) + " of " + Digits.significant(judged.band().nominal(), 3)
+                            + "\u00a0Hz are seen.");
         }
         Tiles.Tone tone = switch (judged.verdict()) {
             case BELOW_ACTION -> judged.band().lowerBound() ? Tiles.Tone.PLAIN : Tiles.Tone.GOOD;
@@ -55,6 +58,7 @@ final class ExposureTile {
                 new Gauge.Range(Directive.LIMIT.a8(), end, "fault", "")),
                 List.of(new Gauge.Mark(Directive.ACTION.a8(), "action 0.5"), new Gauge.Mark(Directive.LIMIT.a8(), "limit 1.15")),
                 List.of(new Gauge.Point(judged.a8(), judged.a8() - spread, judged.a8() + spread)));
-        return new Tiles.Tile("Exposure", (judged.band().lowerBound() ? "≥ " : "") + Digits.significant(judged.a8(), 2), "m/s²", gauge, lines, tone);
+        return new Tiles.Tile("Exposure", (judged.band().lowerBound() ? "≥ " : "") + Digits.significant(judged.a8(), 2), "m/s²", gauge,
+                lines, tone);
     }
 }

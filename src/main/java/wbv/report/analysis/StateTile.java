@@ -34,7 +34,8 @@ final class StateTile {
         double all = told.all() + runs.silence();
         double jerks = Arrays.stream(MotionState.values()).filter(MotionState::jerk).mapToDouble(told::seconds).sum();
         Map<String, Double> kinds = new LinkedHashMap<>();
-        List.of(MotionState.IDLE, MotionState.RIDING, MotionState.ROCKING).forEach(state -> kinds.put(state.toString(), told.seconds(state)));
+        List.of(MotionState.IDLE, MotionState.RIDING, MotionState.ROCKING)
+                .forEach(state -> kinds.put(state.toString(), told.seconds(state)));
         kinds.put("jerking", jerks);
         List<Gauge.Range> ranges = new ArrayList<>();
         double edge = 0;
@@ -50,7 +51,7 @@ final class StateTile {
         List<String> lines = new ArrayList<>();
         lines.add(bouts == 0 ? String.format(Locale.ROOT, "No jerk beyond %.0f\u00a0m/s³.", runs.model().thresholds().jerk())
                 : String.format(Locale.ROOT, "%d jerk%s beyond %.0f\u00a0m/s³, %s\u00a0s of them.", bouts, bouts == 1 ? "" : "s",
-                runs.model().thresholds().jerk(), Digits.significant(jerks, 2)));
+                        runs.model().thresholds().jerk(), Digits.significant(jerks, 2)));
         if (!others.isEmpty()) {
             lines.add(BodyTile.capital(others) + ".");
         }

@@ -8,7 +8,7 @@ import wbv.study.Waveform;
 /** A {@link Waveform} as a curve. */
 final class WaveformSeries {
 
-    private WaveformSeries() { }
+    private WaveformSeries() {}
 
     /**
      * Its samples, or the middle of their range with the range about it.

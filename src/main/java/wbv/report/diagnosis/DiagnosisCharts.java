@@ -52,7 +52,8 @@ final class DiagnosisCharts {
         }
         return new Section("Mismatch",
                 "Measured minus simulated, as the sensors would read it, by frequency and time, as power above that of the noise: 0 dB is "
-                + "noise alone, 20 dB ten times its amplitude. One scale for all.", blocks);
+                        + "noise alone, 20 dB ten times its amplitude. One scale for all.",
+                blocks);
     }
 
     private static Heatmap map(Pictures.View view, double[][] values, String model, double high) {
@@ -77,7 +78,8 @@ final class DiagnosisCharts {
         }
         return new Section("Responses",
                 "Moduli of frequency responses. Those of the models are estimated in the same way, from their "
-                + "samples for the same input, so that what is not linear shows alike.", rows);
+                        + "samples for the same input, so that what is not linear shows alike.",
+                rows);
     }
 
     /** @param last index of the last usable frequency */
@@ -109,8 +111,11 @@ final class DiagnosisCharts {
         }
         String where = Digits.significant(close * pictures.views().get(0).heldOut().step(), 2) + " s in which the model "
                 + before();
-        return new Section("Held out", "Samples that took no part in the fit, those of models as the sensors would read them" + (closeUp ? ": on the left the " + where
-                + " fails most, on the right all of them." : "."), blocks);
+        return new Section("Held out",
+                "Samples that took no part in the fit, those of models as the sensors would read them"
+                        + (closeUp ? ": on the left the " + where
+                                + " fails most, on the right all of them." : "."),
+                blocks);
     }
 
     private LineChart traces(Pictures.View view, int from, int to) {

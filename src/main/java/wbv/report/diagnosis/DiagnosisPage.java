@@ -84,7 +84,8 @@ final class DiagnosisPage {
         }
         if (!diagnosis.missing().isEmpty()) {
             figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
-                    diagnosis.verdict() == Diagnosis.Verdict.LEARNED_LAW ? "among the laws that were fitted" : diagnosis.missing().get(0).mechanism()));
+                    diagnosis.verdict() == Diagnosis.Verdict.LEARNED_LAW ? "among the laws that were fitted"
+                            : diagnosis.missing().get(0).mechanism()));
         }
         List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars()));
         if (!diagnosis.missing().isEmpty()) {
@@ -104,10 +105,14 @@ final class DiagnosisPage {
         rows.add(List.of(law.formula(), "learned", Digits.significant(diagnosis.fit().after(), 3)));
         law.rivals().forEach(rival -> rows.add(List.of(rival.formula(), "rival", Digits.significant(rival.reduced(), 3))));
         boolean corrects = diagnosis.verdict() != Diagnosis.Verdict.LEARNED_LAW;
-        return new Table((corrects ? "What was learned of the form of the law in " + law.where() + ", beside the library's, and what else was fitted"
-                : "The law that was learned for " + law.where() + ", and others that were fitted beside it") + ". The force pulls the ends of the link together; "
-                + "r is its deflection, v its speed, both positive in extension", List.of(Table.Column.words("Force F"), Table.Column.words("As"),
-                Table.Column.numbers("χ² left")), rows);
+        return new Table(
+                (corrects ? "What was learned of the form of the law in " + law.where() + ", beside the library's, and what else was fitted"
+                        : "The law that was learned for " + law.where() + ", and others that were fitted beside it")
+                        + ". The force pulls the ends of the link together; "
+                        + "r is its deflection, v its speed, both positive in extension",
+                List.of(Table.Column.words("Force F"), Table.Column.words("As"),
+                        Table.Column.numbers("χ² left")),
+                rows);
     }
 
     private static String words(Diagnosis.Verdict verdict) {
@@ -192,7 +197,8 @@ final class DiagnosisPage {
         String where = diagnosis.missing().isEmpty() ? "" : " Where a law was found, it is drawn over what was measured.";
         return new Section(diagnosis.missing().isEmpty() ? "What is missing" : "The missing physics",
                 "What the place must do for model and recording to "
-                + "agree, worked out from the recording with no mechanism assumed." + where, blocks);
+                        + "agree, worked out from the recording with no mechanism assumed." + where,
+                blocks);
     }
 
     private Section values() {
@@ -224,7 +230,8 @@ final class DiagnosisPage {
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
                 + (onlyRatios ? " Accelerations know masses, "
-                + "stiffness and damping only up to a common factor, which all given masses together set." : ""), blocks);
+                        + "stiffness and damping only up to a common factor, which all given masses together set." : ""),
+                blocks);
     }
 
     /** A row for each sensor, a column for each kind of small error. */
@@ -240,8 +247,10 @@ final class DiagnosisPage {
             keys.forEach(key -> row.add(errors.containsKey(key) ? Digits.significant(shown(key, errors.get(key)), 2) : ""));
             rows.add(row);
         });
-        return new Table("Small errors of the sensors, as every sensor has them, found with the " + (pictures.completed() ? "completed" : "fitted")
-                + " model: a part of what it reads, how late it is, and by how much it is tilted and out of place", columns, rows);
+        return new Table(
+                "Small errors of the sensors, as every sensor has them, found with the " + (pictures.completed() ? "completed" : "fitted")
+                        + " model: a part of what it reads, how late it is, and by how much it is tilted and out of place",
+                columns, rows);
     }
 
     private static String head(String key) {

@@ -12,7 +12,7 @@ import wbv.study.DiagnosisJson;
 /** A diagnosis for people, {@code report.html}, and for machines, {@code diagnosis.json}. */
 public final class DiagnosisReport {
 
-    private DiagnosisReport() { }
+    private DiagnosisReport() {}
 
     /**
      * Writes both. The same arguments give the same bytes.

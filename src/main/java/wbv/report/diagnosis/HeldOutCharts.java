@@ -51,8 +51,8 @@ final class HeldOutCharts {
     Section bands() {
         List<Block> blocks = new ArrayList<>();
         List<BarChart> charts = new ArrayList<>();
-        byChannel().forEach((channel, proofs) ->
-                charts.add(new BarChart(channel, ChartAxis.linear("Error over the channel's signal, rms", "%"),
+        byChannel().forEach(
+                (channel, proofs) -> charts.add(new BarChart(channel, ChartAxis.linear("Error over the channel's signal, rms", "%"),
                         proofs.stream().map(p -> band(p.band()) + " Hz").toList(), bars(proofs), "")));
         for (int i = 0; i < charts.size(); i += 2) {
             blocks.add(i + 1 < charts.size() ? new Beside(charts.get(i), charts.get(i + 1)) : charts.get(i));
@@ -62,7 +62,8 @@ final class HeldOutCharts {
         }
         return new Section("Held out, by band",
                 "The same errors in bands, each over the channel's whole signal, so that their squares add up to that of all "
-                + "bands together. " + WHISKERS, blocks);
+                        + "bands together. " + WHISKERS,
+                blocks);
     }
 
     private Map<String, List<Diagnosis.Proof>> byChannel() {

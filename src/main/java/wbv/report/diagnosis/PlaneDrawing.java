@@ -22,7 +22,7 @@ final class PlaneDrawing {
     /** Width over height of a chart as wide as the page. */
     private static final double SHAPE = 3.6;
 
-    private PlaneDrawing() { }
+    private PlaneDrawing() {}
 
     /** @param missing links or bodies in which something is missing, by name; empty for a model whose places nobody knows */
     static Optional<XyChart> of(Model model, List<String> missing) {
@@ -38,13 +38,15 @@ final class PlaneDrawing {
         for (Model.Link link : model.links()) {
             link.at().ifPresent(at -> {
                 joints.add(at);
-                Stream.of(link.from(), link.to()).map(Model::whole).filter(centres::containsKey).forEach(body -> arms.addAll(List.of(at, centres.get(body))));
+                Stream.of(link.from(), link.to()).map(Model::whole).filter(centres::containsKey)
+                        .forEach(body -> arms.addAll(List.of(at, centres.get(body))));
                 if (missing.contains(link.name())) {
                     odd.add(at);
                 }
             });
         }
-        centres.keySet().stream().filter(body -> missing.stream().map(Model::whole).anyMatch(body::equals)).forEach(body -> odd.add(centres.get(body)));
+        centres.keySet().stream().filter(body -> missing.stream().map(Model::whole).anyMatch(body::equals))
+                .forEach(body -> odd.add(centres.get(body)));
         Set<Model.Point> sensors = new LinkedHashSet<>(List.of(base));
         List<Model.Point> worn = new ArrayList<>();
         model.sensors().forEach(sensor -> sensor.at().ifPresent(at -> {
@@ -63,13 +65,16 @@ final class PlaneDrawing {
         List<Model.Point> all = Stream.of(centres.values(), joints, sensors).flatMap(Collection::stream).toList();
         double low = all.stream().mapToDouble(Model.Point::z).min().orElse(0) - MARGIN;
         double high = all.stream().mapToDouble(Model.Point::z).max().orElse(0) + MARGIN;
-        double middle = (all.stream().mapToDouble(Model.Point::x).min().orElse(0) + all.stream().mapToDouble(Model.Point::x).max().orElse(0)) / 2;
+        double middle = (all.stream().mapToDouble(Model.Point::x).min().orElse(0)
+                + all.stream().mapToDouble(Model.Point::x).max().orElse(0)) / 2;
         double half = SHAPE * (high - low) / 2;
-        return new XyChart("The bodies from the side", ChartAxis.linear("Forward", "m").within(middle - half, middle + half), ChartAxis.linear("Up", "m").within(low, high), series);
+        return new XyChart("The bodies from the side", ChartAxis.linear("Forward", "m").within(middle - half, middle + half),
+                ChartAxis.linear("Up", "m").within(low, high), series);
     }
 
     private static XySeries points(String name, Collection<Model.Point> points) {
-        return new XySeries(name, points.stream().mapToDouble(Model.Point::x).toArray(), points.stream().mapToDouble(Model.Point::z).toArray(), XySeries.Style.POINTS);
+        return new XySeries(name, points.stream().mapToDouble(Model.Point::x).toArray(),
+                points.stream().mapToDouble(Model.Point::z).toArray(), XySeries.Style.POINTS);
     }
 
     /** Each two of the points, joined. */

@@ -19,7 +19,7 @@ final class PortraitChart {
     private static final int REFERENCE = 2;
     private static final int FAINT = 7;
 
-    private PortraitChart() { }
+    private PortraitChart() {}
 
     static Chart of(Portrait portrait) {
         boolean rising = portrait.trails().stream().allMatch(trail -> trail.kind() != Portrait.Kind.SAMPLES

@@ -61,7 +61,7 @@ final class ExposureCharts {
     }
 
     private BarChart bars(String title, ChartAxis axis, Part part, ToDoubleFunction<SeatAxis> whole, double action,
-                          double limit, boolean whiskers) {
+            double limit, boolean whiskers) {
         List<BarChart.Bars> bars = new ArrayList<>();
         double[] all = AXES.stream().mapToDouble(whole).toArray();
         double[] spread = AXES.stream().mapToDouble(each -> 2 * day.deviation(each) * day.a8(each)).toArray();
@@ -220,6 +220,7 @@ final class ExposureCharts {
         }
         return new Section("Frequency weightings",
                 "What a meter may deviate by ISO 8041-1:2017 Table 5. The weighting used here is the curve"
-                + " itself, as far as the recording reaches.", new Beside(charts));
+                        + " itself, as far as the recording reaches.",
+                new Beside(charts));
     }
 }

@@ -70,8 +70,8 @@ public final class ExposurePage {
         sections.add(charts.weightings());
         sections.add(new Section("Provenance", "The same inputs, options and version give the same results.",
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
-                exposure.request().provenance().entrySet()
-                        .stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
+                        exposure.request().provenance().entrySet()
+                                .stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
         return new Page("Whole-body vibration exposure", title, sections, printed);
     }
 
@@ -98,10 +98,10 @@ public final class ExposurePage {
         return new Figures(new Figures.Figure("A(8), axis " + day.worstA8().letter(), Digits.rounded(day.a8(), 3), "m/s²",
                 Double.isNaN(twice) ? "" : "± " + Digits.roundedUp(twice, 3)),
                 new Figures.Figure("daily dose VDV, axis " + day.worstVdv().letter(), Digits.significant(day.vdv(), 3),
-                DOSE, ""),
+                        DOSE, ""),
                 new Figures.Figure("points, of 100 and 529", Digits.rounded(day.points(), 0), "", ""),
                 new Figures.Figure("a day like this until action", ExposureStudy.minutes(day.minutesUntil(Directive.ACTION)),
-                "h:min", ""),
+                        "h:min", ""),
                 new Figures.Figure("until limit", ExposureStudy.minutes(day.minutesUntil(Directive.LIMIT)), "h:min", ""));
     }
 
@@ -157,7 +157,8 @@ public final class ExposurePage {
                 List.of(Table.Column.words("Task"), Table.Column.words("Axis"), Table.Column.numbers("a_w [m/s²]"),
                         Table.Column.numbers("k·a_w"), Table.Column.numbers("Crest"), Table.Column.numbers("MTVV"),
                         Table.Column.numbers("/a_w"), Table.Column.numbers("VDV"), Table.Column.numbers("/(a_w T^¼)"),
-                        Table.Column.numbers("Daily VDV"), Table.Column.numbers("SEAT")), rows);
+                        Table.Column.numbers("Daily VDV"), Table.Column.numbers("SEAT")),
+                rows);
     }
 
     private static List<String> row(SeatMeasurement one, DailyTask task, SeatAxis axis, Vibration v) {
@@ -196,7 +197,8 @@ public final class ExposurePage {
                         Table.Column.numbers("A(8) [m/s²]"), Table.Column.numbers("Points"), Table.Column.numbers("Points/h"),
                         Table.Column.numbers("Action, A(8)"), Table.Column.numbers("Limit, A(8)"),
                         Table.Column.numbers("Action, VDV"),
-                        Table.Column.numbers("Limit, VDV")), rows);
+                        Table.Column.numbers("Limit, VDV")),
+                rows);
     }
 
     private Table further() {
@@ -215,16 +217,17 @@ public final class ExposurePage {
                 + Comfort.words(total)));
         heaviest.sickness().ifPresent(z -> rows.add(List.of("Motion sickness dose, Wf",
                 Digits.significant(z.motionSicknessDose(), 3)
-                + " " + SICKNESS_DOSE + " in the " + Digits.significant(z.seconds(), 3) + " s measured"
-                + (z.missing() == 0 ? ""
-                        : "; the " + Digits.significant(z.missing(), 2) + " s that are missing may have raised it"))));
+                        + " " + SICKNESS_DOSE + " in the " + Digits.significant(z.seconds(), 3) + " s measured"
+                        + (z.missing() == 0 ? ""
+                                : "; the " + Digits.significant(z.missing(), 2) + " s that are missing may have raised it"))));
         exposure.spinalDose().ifPresent(dose -> {
             ExposureRequest.Career career = exposure.request().career();
             boolean indicative = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
             rows.add(List.of("Lumbar spine, ISO 2631-5:2018" + (indicative ? ", indicative" : ""), String.format(Locale.ROOT,
                     "daily dose %s m/s²; from age %d for %d years of %.0f days: ", Digits.significant(dose, 3), career.from(),
                     career.years(),
-                    career.days()) + exposure.risks().entrySet().stream().map(entry -> String.format(Locale.ROOT,
+                    career.days())
+                    + exposure.risks().entrySet().stream().map(entry -> String.format(Locale.ROOT,
                             "%s R %.2f, probability of injury %s %%", entry.getKey().name().toLowerCase(Locale.ROOT),
                             entry.getValue().variable(dose), Digits.significant(100 * entry.getValue().probability(dose), 2)))
                             .collect(Collectors.joining("; "))));
@@ -243,7 +246,8 @@ public final class ExposurePage {
                 + (bound ? " Sampled too slowly for ISO 8041-1: lower bounds." : "") + " "
                 + exposure.request().provenance().entrySet().stream().filter(entry -> entry.getKey().equals("wbv")
                         || entry.getKey().startsWith("SHA-256")).map(entry -> entry.getKey() + " " + shortened(entry.getValue()))
-                        .collect(Collectors.joining("; ")) + ".";
+                        .collect(Collectors.joining("; "))
+                + ".";
     }
 
     private static String shortened(String value) {

@@ -39,19 +39,22 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
         StringBuilder csv = new StringBuilder("bodies,method,target,unit,trials,missing,rmse,error_deviation,standardised_rmse,"
                 + "deviation_over_seeds,covered_90,stated_deviation,unlike_training\n");
         for (Row row : rows()) {
-            csv.append(String.join(",", row.bodies(), '"' + row.method().replace("\"", "\"\"") + '"', row.target(), row.unit(), Integer.toString(row.trials()),
+            csv.append(String.join(",", row.bodies(), '"' + row.method().replace("\"", "\"\"") + '"', row.target(), row.unit(),
+                    Integer.toString(row.trials()),
                     Integer.toString(row.missing()), plain(row.rmse()), plain(row.error_deviation()), plain(row.standardised_rmse()),
-                    plain(row.deviation_over_seeds()), plain(row.covered_90()), plain(row.stated_deviation()), plain(row.unlike_training()))).append('\n');
+                    plain(row.deviation_over_seeds()), plain(row.covered_90()), plain(row.stated_deviation()),
+                    plain(row.unlike_training()))).append('\n');
         }
         AtomicFile.write(out.file("evaluation.csv"), csv);
         HtmlWriter.write(page(), out.file("report.html"));
     }
 
     /** A row of the tables. @param covered_90 share of 90 % intervals that hold */
-    private record Row(String bodies, String method, String target, String unit, int trials, int missing, double rmse, double error_deviation,
-                       double standardised_rmse, double deviation_over_seeds, double covered_90, double stated_deviation, double unlike_training) { }
+    private record Row(String bodies, String method, String target, String unit, int trials, int missing, double rmse,
+            double error_deviation,
+            double standardised_rmse, double deviation_over_seeds, double covered_90, double stated_deviation, double unlike_training) {}
 
-    private record Results(List<Row> rows, Map<String, String> provenance) { }
+    private record Results(List<Row> rows, Map<String, String> provenance) {}
 
     /** The same rows for machines. */
     public String json() throws IOException {
@@ -87,7 +90,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
                     text.append(String.format(Locale.ROOT, " %s %.3f (%.4f%s)", target(j, row.scores().size()),
                             score.standardised(),
                             score.rmse() / unit(j), Double.isNaN(score.covered()) ? ""
-                            : String.format(Locale.ROOT, "; %.0f %%", 100 * score.covered())));
+                                    : String.format(Locale.ROOT, "; %.0f %%", 100 * score.covered())));
                 }
                 text.append(Double.isNaN(row.unlike()) ? "" : String.format(Locale.ROOT, "  unlike training %.0f %%",
                         100 * row.unlike())).append('\n');
@@ -123,7 +126,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
         }
         sections.add(new Section("Models", "What the models' files say of themselves.", models.stream()
                 .map(model -> (Block) table(model.architecture().word() + ", " + model.modes() + " mode"
-                + (model.modes() == 1 ? "" : "s"), model.card())).toList()));
+                        + (model.modes() == 1 ? "" : "s"), model.card()))
+                .toList()));
         sections.add(new Section("Provenance", "The same models, options and version give the same results.",
                 table("", provenance)));
         return new Page("Networks beside their peers", "Damping ratio and natural frequency from 3.65 s of motion", sections);
@@ -135,11 +139,11 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
             Score score = row.scores().get(target);
             rows.add(List.of(row.method() + (score.missing() == 0 ? "" : " (nothing for " + score.missing() + ")"),
                     Digits.rounded(score.standardised(), 3) + (Double.isNaN(row.spread()[target]) ? ""
-                    : " ± " + Digits.rounded(row.spread()[target], 3)),
+                            : " ± " + Digits.rounded(row.spread()[target], 3)),
                     Digits.significant(score.rmse() / unit(target), 3), Digits.significant(score.deviation() / unit(target), 3),
                     Double.isNaN(score.covered()) ? "–" : Digits.rounded(100 * score.covered(), 0) + " %",
                     Double.isNaN(score.stated()) || !Double.isFinite(score.stated()) ? "–"
-                    : Digits.significant(score.stated() / unit(target), 3),
+                            : Digits.significant(score.stated() / unit(target), 3),
                     Double.isNaN(row.unlike()) ? "–" : Digits.rounded(100 * row.unlike(), 0) + " %"));
         }
         String unit = target % 2 == 0 ? "" : " [Hz]";
@@ -147,8 +151,9 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
                 + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold, the deviation "
                 + "stated, trials found unlike any trained on",
                 List.of(Table.Column.words("Method"), Table.Column.numbers("Std. RMSE"), Table.Column.numbers("RMSE" + unit),
-                Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold"),
-                Table.Column.numbers("Stated" + unit), Table.Column.numbers("Unlike")), rows);
+                        Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold"),
+                        Table.Column.numbers("Stated" + unit), Table.Column.numbers("Unlike")),
+                rows);
     }
 
     /** The first method and the fit that knows nothing beforehand, over the truth. */

@@ -37,7 +37,7 @@ import wbv.result.ResultsJson;
  * @param provenance what, and from what, this was made, in the order in which it is shown
  */
 public record NetworkReadingReport(String title, String channels, TrainedNetwork model, NetworkReadings readings,
-                                   Map<String, String> provenance) {
+        Map<String, String> provenance) {
 
     private static final double TAU = 2 * Math.PI;
     /** Share of windows that may be unlike those trained on by chance. */
@@ -80,10 +80,10 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
      * @param modes   medians of the windows that hold; empty where too few do
      */
     record Results(String recording, String channels, int windows, long read, long unlike, boolean holds, String finding,
-                   List<Mode> modes, Map<String, String> provenance) { }
+            List<Mode> modes, Map<String, String> provenance) {}
 
     /** Medians over windows. */
-    record Mode(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) { }
+    record Mode(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) {}
 
     private Results results() {
         List<Mode> modes = new ArrayList<>();
@@ -114,7 +114,8 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
         for (int i = 0; i < (refused() ? 0 : readings.modes()); i++) {
             text.append(String.format(Locale.ROOT,
                     "%s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f (medians of %d of %d "
-                    + "windows)%n", channels, median(2 * i + 1, false), 2 * median(2 * i + 1, true), median(2 * i, false),
+                            + "windows)%n",
+                    channels, median(2 * i + 1, false), 2 * median(2 * i + 1, true), median(2 * i, false),
                     2 * median(2 * i, true), readings.read() - readings.unlike(), readings.time().length));
         }
         return holds() ? text.append(judgement).toString() : text.toString();
@@ -171,14 +172,16 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
         for (int i = 0; i < (holds() ? readings.modes() : 0); i++) {
             String mode = readings.modes() == 1 ? "" : ", mode " + (i + 1);
             figures.add(new Figures(Figures.Figure.measured("Natural frequency" + mode, median(2 * i + 1, false),
-                    median(2 * i + 1, true), "Hz"), Figures.Figure.measured("Damping ratio" + mode, median(2 * i, false),
-                    median(2 * i, true), "")));
+                    median(2 * i + 1, true), "Hz"),
+                    Figures.Figure.measured("Damping ratio" + mode, median(2 * i, false),
+                            median(2 * i, true), "")));
         }
         if (!refused()) {
-            figures.add(new Text((holds() ? "Medians" : summary().lines().skip(1).collect(Collectors.joining("; ")) + ": medians") + " over "
-                    + (readings.read() - readings.unlike()) + " windows of 3.65 s, of " + readings.time().length
-                    + (readings.read() == readings.time().length ? "" : "; the rest lacks samples or is unlike those trained on")
-                    + ", of the linear body that explains a window best, with what the network says as what is known beforehand."));
+            figures.add(
+                    new Text((holds() ? "Medians" : summary().lines().skip(1).collect(Collectors.joining("; ")) + ": medians") + " over "
+                            + (readings.read() - readings.unlike()) + " windows of 3.65 s, of " + readings.time().length
+                            + (readings.read() == readings.time().length ? "" : "; the rest lacks samples or is unlike those trained on")
+                            + ", of the linear body that explains a window best, with what the network says as what is known beforehand."));
         }
         if (holds()) {
             figures.add(new Text(judgement()));
@@ -207,7 +210,8 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
                 : ", mode " + (target / 2 + 1));
         return new LineChart(name, ChartAxis.linear("Time", "s"), ChartAxis.linear(name, target % 2 == 0 ? "" : "Hz"),
                 List.of(Series.line("fitted", readings.time(), value).with(new Band(Band.Kind.UNCERTAINTY, values(target, -2),
-                values(target, 2), "±2σ")), Series.line("network", readings.time(), network(target)))).grouped("time");
+                        values(target, 2), "±2σ")), Series.line("network", readings.time(), network(target))))
+                .grouped("time");
     }
 
     private double[] network(int target) {
@@ -220,7 +224,8 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
         Arrays.fill(limit, 1);
         return new LineChart("Misfit, over what training had at most", ChartAxis.linear("Time", "s"),
                 ChartAxis.linear("Misfit", ""), List.of(Series.line("misfit", readings.time(), misfit),
-                Series.line("training's limit", readings.time(), limit))).grouped("time");
+                        Series.line("training's limit", readings.time(), limit)))
+                .grouped("time");
     }
 
     private double[] values(int target, int deviations) {

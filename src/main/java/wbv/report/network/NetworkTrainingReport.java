@@ -61,9 +61,9 @@ public record NetworkTrainingReport(TrainingOrder order, Trainer.Result result, 
     }
 
     /** What came out of one member. */
-    private record Member(String network, double train_loss, double held_back_loss, double held_back_standardised_rmse, int epochs) { }
+    private record Member(String network, double train_loss, double held_back_loss, double held_back_standardised_rmse, int epochs) {}
 
-    private record Results(List<Member> members, Map<String, String> provenance) { }
+    private record Results(List<Member> members, Map<String, String> provenance) {}
 
     /** The same for machines. */
     public String json() throws IOException {
@@ -93,8 +93,9 @@ public record NetworkTrainingReport(TrainingOrder order, Trainer.Result result, 
                 new Section("Finding", "", blocks),
                 new Section("Loss over the epochs",
                         "What was learned from (lines) and what was held back (dashed). Where the lines "
-                        + "fall and the dashes do not, the network learns its trials by heart.", new Beside(
-                        curves("Loss", Losses::train, Losses::held), rmse())),
+                                + "fall and the dashes do not, the network learns its trials by heart.",
+                        new Beside(
+                                curves("Loss", Losses::train, Losses::held), rmse())),
                 new Section("Card", "What the model's file says of itself.", table(result.model().card())),
                 new Section("Provenance", "The same seeds, options and version give the same network on the same kind of "
                         + "processor.", table(provenance))));

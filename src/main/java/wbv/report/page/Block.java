@@ -5,4 +5,4 @@ package wbv.report.page;
  * by side or folded.
  */
 public sealed interface Block permits Lead, Text, Code, Table, Figures, Findings, Beside, StateGraph, Chart, Tiles, Folded,
-        SensorFigure { }
+        SensorFigure {}

@@ -26,7 +26,7 @@ public final class ChartJson {
 
     private static final JsonFactory FACTORY = new JsonFactory();
 
-    private ChartJson() { }
+    private ChartJson() {}
 
     /** The object, on one line. */
     public static String of(Chart chart) {

@@ -5,4 +5,4 @@ package wbv.report.page;
  *
  * @param caption what it is, may be empty
  */
-public record Code(String caption, String text) implements Block { }
+public record Code(String caption, String text) implements Block {}

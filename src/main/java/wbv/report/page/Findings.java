@@ -29,5 +29,5 @@ public record Findings(List<Finding> findings, String none) implements Block {
      * @param message what was found, with its numbers
      * @param advice  what the reader can do about it; may be empty
      */
-    public record Finding(Severity severity, String message, String advice) { }
+    public record Finding(Severity severity, String message, String advice) {}
 }

@@ -23,13 +23,13 @@ public record Gauge(double from, double to, List<Range> ranges, List<Mark> marks
     private static final double LETTER = 5.6;
 
     /** A part of the scale. @param kind names its colour: a class of the page's style sheet @param words for who cannot see it */
-    public record Range(double from, double to, String kind, String words) { }
+    public record Range(double from, double to, String kind, String words) {}
 
     /** A line across the scale. @param label may be empty */
-    public record Mark(double at, String label) { }
+    public record Mark(double at, String label) {}
 
     /** A value with where it may lie. @param low @param high the same where that is not known */
-    public record Point(double at, double low, double high) { }
+    public record Point(double at, double low, double high) {}
 
     public Gauge {
         if (!(from < to)) {

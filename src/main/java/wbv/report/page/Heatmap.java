@@ -11,7 +11,7 @@ import java.util.Arrays;
  * @param colour  what the colour says; ends left open are set to leave out the faintest and the few strongest values
  */
 public record Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values,
-                      String group, String note) implements Chart {
+        String group, String note) implements Chart {
 
     public Heatmap {
         if (columns.length < 1 || rows.length < 2 || values.length != columns.length) {

@@ -19,13 +19,13 @@ public final class HtmlWriter {
     private static final int LONG = 32;
 
     private static final String SAFE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
-    private static final List<String> SCRIPTS =
-            List.of("axes.js", "view.js", "chart.js", "lines.js", "xy.js", "bars.js", "heatmap.js", "report.js");
+    private static final List<
+            String> SCRIPTS = List.of("axes.js", "view.js", "chart.js", "lines.js", "xy.js", "bars.js", "heatmap.js", "report.js");
 
     private final StringBuilder html = new StringBuilder();
     private String openGroup = "";
 
-    private HtmlWriter() { }
+    private HtmlWriter() {}
 
     /** The page as HTML text. */
     public static String render(Page page) {

@@ -10,10 +10,10 @@ import java.util.List;
  * @param shades  ranges of x that are to be read with care
  */
 public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series, List<Marker> markers, List<Shade> shades,
-                        String group, String note) implements Chart {
+        String group, String note) implements Chart {
 
     /** A vertical line. @param label may be empty */
-    public record Marker(double x, String label) { }
+    public record Marker(double x, String label) {}
 
     /** A shaded range. @param reason why, such as {@code not excited} @param pattern how it is hatched, 0 to 2 */
     public record Shade(double from, double to, String reason, int pattern) {

@@ -15,7 +15,8 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
     /** Where parts of the body lie in the drawing, by words of their names; the first that fits counts. */
     private static final List<Part> PARTS = List.of(new Part(128, 34, "head", "helmet", "skull"), new Part(122, 76, "neck", "c7"),
             new Part(142, 124, "sternum", "chest", "stern"), new Part(121, 98, "shoulder", "acromion"),
-            new Part(99, 118, "t1", "t4", "t8", "t12", "upper_back", "thorax", "spine"), new Part(94, 176, "lumbar", "l1", "l3", "l5", "back_low"),
+            new Part(99, 118, "t1", "t4", "t8", "t12", "upper_back", "thorax", "spine"),
+            new Part(94, 176, "lumbar", "l1", "l3", "l5", "back_low"),
             new Part(128, 132, "upper_arm", "upperarm"), new Part(164, 172, "forearm", "lower_arm"), new Part(196, 180, "hand", "wrist"),
             new Part(163, 210, "thigh", "femur", "upper_leg", "upperleg"), new Part(212, 206, "knee"),
             new Part(214, 262, "shank", "tibia", "lower_leg", "lowerleg", "shin"), new Part(236, 322, "foot", "ankle", "toe"),
@@ -39,7 +40,7 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
      *
      * @param channels in short @param tone of the worst found @param words what is wrong, in a few words; empty if nothing is
      */
-    public record Sensor(String place, String channels, Tiles.Tone tone, String words) { }
+    public record Sensor(String place, String channels, Tiles.Tone tone, String words) {}
 
     public SensorFigure {
         sensors = List.copyOf(sensors);
@@ -66,9 +67,11 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
                         at[1] + 3.7, i + 1));
             }
         }
-        return dots.length() == 0 ? "" : "<svg viewBox=\"10 0 270 352\" role=\"img\" aria-label=\"" + escape.apply("A seated person from the"
-                + " right, with a numbered dot for every sensor: " + sensors.stream().map(Sensor::place).collect(Collectors.joining(", ")))
-                + "\">\n" + PERSON + dots + "</svg>\n";
+        return dots.length() == 0 ? ""
+                : "<svg viewBox=\"10 0 270 352\" role=\"img\" aria-label=\"" + escape.apply("A seated person from the"
+                        + " right, with a numbered dot for every sensor: "
+                        + sensors.stream().map(Sensor::place).collect(Collectors.joining(", ")))
+                        + "\">\n" + PERSON + dots + "</svg>\n";
     }
 
     /** Moves a dot aside that would hide another. */

@@ -27,7 +27,7 @@ public record StateGraph(String title, List<String> names, double[][] chances, d
     String svg(java.util.function.UnaryOperator<String> escape) {
         StringBuilder svg = new StringBuilder(String.format(Locale.ROOT,
                 "<svg class=\"graph\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"%s\">%n", SIZE, SIZE,
-                        escape.apply(title)));
+                escape.apply(title)));
         int n = names.size();
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {

@@ -16,7 +16,6 @@ public record XySeries(String name, double[] x, double[] y, double[] whisker, St
     /** The chart chooses: the same name has the same colour in all charts of a group. */
     public static final int BY_NAME = -1;
 
-
     /** How points are drawn. */
     public enum Style {
         /** Small and faint, so that thousands show where they are dense. */

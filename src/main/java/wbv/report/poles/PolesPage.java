@@ -76,8 +76,9 @@ public final class PolesPage {
                         provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
         return new Page("Poles of " + trained.layout().measured().location() + " for " + String.join(", ",
                 trained.layout().absent().stream().map(Channel::location).toList()), trained.trials().size()
-                + " recordings trained on, "
-                + heldBack.size() + " held back", sections);
+                        + " recordings trained on, "
+                        + heldBack.size() + " held back",
+                sections);
     }
 
     private Section finding() {
@@ -113,7 +114,7 @@ public final class PolesPage {
             for (RemovalCheck check : held.checks()) {
                 rows.add(List.of(check.name(), check.channel().toString(), Digits.significant(check.error(), 3),
                         Digits.significant(check.meanError(), 3), check.frequencyOff().map(off -> Digits.rounded(off, 2))
-                        .orElse("–"),
+                                .orElse("–"),
                         check.magnitudeOff().map(off -> Digits.rounded(off, 2)).orElse("–"),
                         Digits.rounded(100 * held.prediction().inside(), 0) + " %"));
             }
@@ -138,7 +139,8 @@ public final class PolesPage {
         }
         return new Section("Poles by cluster",
                 "The s-plane: every point is a pole of one window. A sitter who softens moves his poles along "
-                + "an arc; density clusters follow it, a mixture cuts it into ellipses.", blocks);
+                        + "an arc; density clusters follow it, a mixture cuts it into ellipses.",
+                blocks);
     }
 
     private static XyChart poles(String title, PlaceClusters place, int[] labels) {
@@ -199,10 +201,11 @@ public final class PolesPage {
         }
         return new Section("Constraint polygons",
                 "Where an attribute of the measured pole (across) and one of the absent place's body (up) were "
-                + "seen together: alpha shapes of radius " + ConstraintPolygon.ALPHA
+                        + "seen together: alpha shapes of radius " + ConstraintPolygon.ALPHA
                         + " spread. The value measured now cuts the polygon; the "
-                + "chord is the bound. All " + trained.links().stream().mapToInt(link -> link.polygons().size()).sum()
-                + " polygons are in polygons.json.", blocks);
+                        + "chord is the bound. All " + trained.links().stream().mapToInt(link -> link.polygons().size()).sum()
+                        + " polygons are in polygons.json.",
+                blocks);
     }
 
     /** The windows that a polygon was drawn around. */
@@ -244,9 +247,11 @@ public final class PolesPage {
                 double[] mean = new double[time.length];
                 Arrays.fill(mean, Attributes.of(trained.bodies().get(absent), attribute));
                 blocks.add(new LineChart(absent + ", " + word(attribute), ChartAxis.linear("Time", "s"), ChartAxis.linear(word(attribute),
-                        Attributes.unit(attribute)), List.of(Series.line("middle of the chord", time,
+                        Attributes.unit(attribute)),
+                        List.of(Series.line("middle of the chord", time,
                                 chords.stream().mapToDouble(Chord::middle).toArray()).with(band),
-                        Series.dashed("population's mean", time, mean))).grouped("bounds"));
+                                Series.dashed("population's mean", time, mean)))
+                        .grouped("bounds"));
             }
         }
         return new Section("The constraint at work", "On " + held.name() + ", without the sensors of "
@@ -271,9 +276,10 @@ public final class PolesPage {
                     List.of(Series.line("held back", time, truth), Series.dashed("predicted", time, said))));
             blocks.add(new LineChart(check.channel() + ", transmissibility from " + trained.layout().base(),
                     ChartAxis.linear("Frequency", "Hz")
-                    .within(0.5, 15), ChartAxis.linear("|H1|", ""), List.of(
-                    Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
-                    Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))
+                            .within(0.5, 15),
+                    ChartAxis.linear("|H1|", ""), List.of(
+                            Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
+                            Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))
                     .shaded(Shades.of(check.measured().backing(), check.measured().frequency(), false)));
         }
         return new Section("Predicted against held back", "On " + held.name() + ".", blocks);

@@ -18,7 +18,7 @@ import wbv.study.FoldedFindings;
 /** What was read and what is wrong with it, as every report on a recording says it. */
 public final class RecordingSection {
 
-    private RecordingSection() { }
+    private RecordingSection() {}
 
     /** The section. @param relay what was done to the rows */
     public static Section of(Inspection seen, Relay relay) {
@@ -35,8 +35,10 @@ public final class RecordingSection {
 
     /** What was found, as a block. @param none what is said when there is nothing to report */
     public static Findings findings(List<FoldedFindings.Line> lines, String none) {
-        return new Findings(lines.stream().map(line -> new Findings.Finding(Findings.Severity.valueOf(line.severity().name()), line.message(),
-                line.advice())).toList(), none);
+        return new Findings(
+                lines.stream().map(line -> new Findings.Finding(Findings.Severity.valueOf(line.severity().name()), line.message(),
+                        line.advice())).toList(),
+                none);
     }
 
     /** What every channel amounts to. */

@@ -17,7 +17,7 @@ import wbv.study.FoldedFindings;
 /** The sensors of a recording with what was found of each, for the {@link SensorFigure}. */
 public final class SensorsSeen {
 
-    private SensorsSeen() { }
+    private SensorsSeen() {}
 
     /** Every place of a recording. */
     public static SensorFigure of(Inspection seen) {

@@ -9,7 +9,7 @@ import wbv.study.Unbacked;
 /** Where a frequency response is not to be used, as a chart shades it. */
 public final class Shades {
 
-    private Shades() { }
+    private Shades() {}
 
     /**
      * Shaded ranges, from halfway to the neighbours. Neither array is modified.

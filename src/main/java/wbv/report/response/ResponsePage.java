@@ -41,13 +41,11 @@ import wbv.study.Unbacked;
 public final class ResponsePage {
 
     private static final double LEAST_FREQUENCY = 0.3;
-    private static final String ONE_INPUT =
-            ". H1 is right where only the output is noisy, H2 where only the input is, Hv where both are "
+    private static final String ONE_INPUT = ". H1 is right where only the output is noisy, H2 where only the input is, Hv where both are "
             + "equally so; they agree where the coherence is near 1. ";
     private static final String SHADED = "Shaded frequencies are not to be used: either the input has too little power there, or it "
             + "has power, but other motion, noise or what is not linear makes the output (a low coherence).";
-    private static final String SEVERAL_INPUTS =
-            "From all inputs at once. The multiple coherence is what they explain together, a "
+    private static final String SEVERAL_INPUTS = "From all inputs at once. The multiple coherence is what they explain together, a "
             + "partial one what one input adds to the others. ";
 
     private final ResponseAnalysis analysis;
@@ -187,11 +185,11 @@ public final class ResponsePage {
                 new LineChart("Coherence", frequency, ChartAxis.linear("Coherence", "1").within(0, 1.02), coherences)
                         .shaded(shades).grouped(group)
                         .noted(Digits.significant(all.averages(), 3) + " independent averages of "
-                        + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent
-                        + ". Unrelated signals would show a coherence of "
-                        + Digits.significant(those.get(0).coherenceByChance(), 2)
-                        + " on average; it is believed from "
-                        + Digits.significant(Excited.USUAL.leastCoherence(all.averages(), all.inputs()), 2) + "."));
+                                + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent
+                                + ". Unrelated signals would show a coherence of "
+                                + Digits.significant(those.get(0).coherenceByChance(), 2)
+                                + " on average; it is believed from "
+                                + Digits.significant(Excited.USUAL.leastCoherence(all.averages(), all.inputs()), 2) + "."));
     }
 
     private Band band(double[] values, double[] margin, boolean[] usable) {
@@ -229,7 +227,8 @@ public final class ResponsePage {
         }
         return new Section("Driving point",
                 "The apparent mass is the force over the acceleration at the seat; the sitting mass is its "
-                + "modulus near 0.5 Hz. The absorbed power is the mean of force times velocity, by frequency.", blocks);
+                        + "modulus near 0.5 Hz. The absorbed power is the mean of force times velocity, by frequency.",
+                blocks);
     }
 
     private LineChart chart(String title, String label, String unit, double[] values, List<LineChart.Shade> shades, String group) {
@@ -242,7 +241,8 @@ public final class ResponsePage {
         for (ResponseCurve curve : curves) {
             analysis.through(curve.output()).ifPresent(through -> {
                 blocks.add(new Heatmap(curve.name(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
-                        ChartAxis.linear("Modulus", curve.unit()).within(0, Double.NaN), through.times(), through.frequencies(), through.backed())
+                        ChartAxis.linear("Modulus", curve.unit()).within(0, Double.NaN), through.times(), through.frequencies(),
+                        through.backed())
                         .grouped("through time"));
                 blocks.add(new LineChart("Peak of " + curve.name(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
                         List.of(Series.line("peak", through.times(), through.ridge()))).grouped("through time"));
@@ -266,7 +266,8 @@ public final class ResponsePage {
         }
         return new Section("People",
                 "Each curve is stretched so that its peak stands at the mean peak frequency before the mean is "
-                + "taken. The plain mean of the curves smears resonances that differ from person to person.", blocks);
+                        + "taken. The plain mean of the curves smears resonances that differ from person to person.",
+                blocks);
     }
 
     private Section inputs() {
@@ -288,15 +289,16 @@ public final class ResponsePage {
         }
         return new Section("Inputs",
                 String.format(Locale.ROOT, "Welch averages: Hann window, segments of %.3g s overlapping by half, "
-                + "resolution %.2g Hz; %d missing samples bridged.", measured.segmentation().duration(),
-                measured.segmentation().resolution(), measured.bridged()), blocks);
+                        + "resolution %.2g Hz; %d missing samples bridged.", measured.segmentation().duration(),
+                        measured.segmentation().resolution(), measured.bridged()),
+                blocks);
     }
 
     private Section provenance() {
         List<List<String>> rows = new ArrayList<>();
         analysis.request().skin().forEach((place, skin) -> rows.add(List.of("skin under " + place,
                 Digits.significant(skin.frequency(), 4)
-                + " Hz, damping ratio " + Digits.significant(skin.damping(), 3) + ", taken out")));
+                        + " Hz, damping ratio " + Digits.significant(skin.damping(), 3) + ", taken out")));
         analysis.request().model().ifPresent(model -> rows.add(List.of("model", model.name() + ": its linear part is drawn")));
         analysis.request().provenance().forEach((name, value) -> rows.add(List.of(name, value)));
         return new Section("Provenance", "The same inputs, options and version give the same results.",

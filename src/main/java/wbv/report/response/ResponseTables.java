@@ -89,8 +89,9 @@ final class ResponseTables {
         }
         return new Table("Peaks by person; the mean with the standard deviation over people",
                 List.of(Table.Column.words("Response"),
-                Table.Column.words("Recording"), Table.Column.numbers("Peak [Hz]"), Table.Column.numbers("Height"),
-                Table.Column.words("Remark")), rows);
+                        Table.Column.words("Recording"), Table.Column.numbers("Peak [Hz]"), Table.Column.numbers("Height"),
+                        Table.Column.words("Remark")),
+                rows);
     }
 
     private static String withDeviation(SubjectMean mean, Function<Peak, Double> of) {

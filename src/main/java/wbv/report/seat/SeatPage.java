@@ -70,7 +70,8 @@ public final class SeatPage {
 
     /** As many as colours can tell apart: those that know nobody, and the scheduled ones; the tables hold all. */
     private List<Comparison.Entrant> drawn() {
-        return entrants.stream().filter(entrant -> entrant.knowledge() == Knowledge.SCHEDULED || entrant.family().knowledge().size() == 1).toList();
+        return entrants.stream().filter(entrant -> entrant.knowledge() == Knowledge.SCHEDULED || entrant.family().knowledge().size() == 1)
+                .toList();
     }
 
     private Section byFloor() {
@@ -81,22 +82,27 @@ public final class SeatPage {
             bars.add(new BarChart.Bars(entrant.words(), comparison.floors().stream()
                     .mapToDouble(on -> on.mean(entrant).map(Front.AtStroke::seat).orElse(Double.NaN)).toArray(), bars.size() % 8));
         }
-        blocks.add(new BarChart("SEAT at equal stroke, mean of all sitters", ChartAxis.linear("SEAT", "").within(0, Double.NaN), floors, bars,
-                "No bar: the controller needs more stroke than the skyhook at all its tunings. Fixed ones and oracles: below."));
+        blocks.add(
+                new BarChart("SEAT at equal stroke, mean of all sitters", ChartAxis.linear("SEAT", "").within(0, Double.NaN), floors, bars,
+                        "No bar: the controller needs more stroke than the skyhook at all its tunings. Fixed ones and oracles: below."));
         List<List<String>> rows = new ArrayList<>();
         for (Comparison.OnFloor on : comparison.floors()) {
             for (Comparison.Entrant entrant : entrants) {
-                on.mean(entrant).ifPresent(mean -> rows.add(List.of(on.floor().word(), SeatStudy.limit(on).isEmpty() ? "–" : "< " + SeatStudy.limit(on),
-                        entrant.words(), Digits.rounded(mean.seat(), 3), Digits.rounded(mean.head(), 3), Digits.rounded(1e3 * mean.strokeRms(), 1),
-                        Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1),
-                        Digits.rounded(mean.force(), 0), Digits.rounded(mean.power(), 1))));
+                on.mean(entrant).ifPresent(
+                        mean -> rows.add(List.of(on.floor().word(), SeatStudy.limit(on).isEmpty() ? "–" : "< " + SeatStudy.limit(on),
+                                entrant.words(), Digits.rounded(mean.seat(), 3), Digits.rounded(mean.head(), 3),
+                                Digits.rounded(1e3 * mean.strokeRms(), 1),
+                                Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1),
+                                Digits.rounded(mean.force(), 0), Digits.rounded(mean.power(), 1))));
             }
         }
         blocks.add(new Table("At equal stroke, r.m.s. of stroke and force; greatest stroke of all sitters, means of all else",
                 List.of(Table.Column.words("Floor"),
-                Table.Column.numbers("Limit"), Table.Column.words("Controller"), Table.Column.numbers("SEAT"), Table.Column.numbers("Head / floor"),
-                Table.Column.numbers("Stroke [mm]"), Table.Column.numbers("Greatest [mm]"), Table.Column.numbers("Stops"),
-                Table.Column.numbers("Force [N]"), Table.Column.numbers("Power [W]")), rows));
+                        Table.Column.numbers("Limit"), Table.Column.words("Controller"), Table.Column.numbers("SEAT"),
+                        Table.Column.numbers("Head / floor"),
+                        Table.Column.numbers("Stroke [mm]"), Table.Column.numbers("Greatest [mm]"), Table.Column.numbers("Stops"),
+                        Table.Column.numbers("Force [N]"), Table.Column.numbers("Power [W]")),
+                rows));
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> blocks.add(new Text(gain.words(family) + ".")));
         }
@@ -118,13 +124,15 @@ public final class SeatPage {
                         points.stream().mapToDouble(TrialResult::seat).toArray(), XySeries.Style.LINE));
             }
             double most = series.stream().flatMapToDouble(each -> Arrays.stream(each.y())).max().orElse(1);
-            series.add(new XySeries("stroke given to all", new double[] {1e3 * sitter.stroke(), 1e3 * sitter.stroke()}, new double[] {0, most},
-                    XySeries.Style.DASHED));
+            series.add(
+                    new XySeries("stroke given to all", new double[] {1e3 * sitter.stroke(), 1e3 * sitter.stroke()}, new double[] {0, most},
+                            XySeries.Style.DASHED));
             blocks.add(new XyChart("SEAT over stroke: " + sitter.words(), ChartAxis.linear("stroke r.m.s.", "mm").within(0, Double.NaN),
                     ChartAxis.linear("SEAT", "").within(0, Double.NaN), series).grouped(GROUP + on.floor().word()));
         }
         blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", ChartAxis.linear("frequency", "Hz"),
-                ChartAxis.linear("|H1|", "").within(0, Double.NaN), on.transmissibility().stream().filter(each -> drawn().contains(each.entrant()))
+                ChartAxis.linear("|H1|", "").within(0, Double.NaN),
+                on.transmissibility().stream().filter(each -> drawn().contains(each.entrant()))
                         .map(each -> Series.line(each.entrant().words(), each.frequency(), each.modulus())).toList())
                 .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor "
                         + "hardly shakes."));
@@ -145,14 +153,16 @@ public final class SeatPage {
                         TrialResult fixed = middle(sitter.front(new Comparison.Entrant(entrant.family(), Knowledge.FIXED)));
                         TrialResult truth = middle(sitter.front(new Comparison.Entrant(entrant.family(), Knowledge.ORACLE)));
                         rows.add(List.of(on.floor().word(), sitter.words(), entrant.family().word(),
-                                beside(found.mass(), truth.mass(), fixed.mass(), 1), beside(found.frequency(), truth.frequency(), fixed.frequency(), 2),
+                                beside(found.mass(), truth.mass(), fixed.mass(), 1),
+                                beside(found.frequency(), truth.frequency(), fixed.frequency(), 2),
                                 beside(found.damping(), truth.damping(), fixed.damping(), 2)));
                     }
                 }
             }
         }
-        return new Section("What the estimators said", "Each cell: believed at the end of a ride at the middle tuning (as one mass on a spring it is; the "
-                + "middle sitter). Beliefs are drawn towards the middle sitter by how unsure they are.",
+        return new Section("What the estimators said",
+                "Each cell: believed at the end of a ride at the middle tuning (as one mass on a spring it is; the "
+                        + "middle sitter). Beliefs are drawn towards the middle sitter by how unsure they are.",
                 rows.isEmpty() ? new Text("No controller that estimates took part.") : new Table("", List.of(Table.Column.words("Floor"),
                         Table.Column.words("Sitter"), Table.Column.words("Controller"), Table.Column.numbers("Carried mass [kg]"),
                         Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio")), rows));
@@ -168,10 +178,13 @@ public final class SeatPage {
 
     private Section assumed() {
         SeatHardware seat = comparison.request().hardware();
-        return new Section("What is assumed", "", new Text("Nobody was shaken for this. The seat: " + Digits.significant(seat.frameMass(), 3) + " kg on "
-                + Digits.significant(seat.stiffness() / 1e3, 3) + " kN/m, friction of 40 N, stops at ± " + Digits.significant(1e3 * seat.stop(), 3)
+        return new Section("What is assumed", "", new Text("Nobody was shaken for this. The seat: "
+                + Digits.significant(seat.frameMass(), 3) + " kg on "
+                + Digits.significant(seat.stiffness() / 1e3, 3) + " kN/m, friction of 40 N, stops at ± "
+                + Digits.significant(1e3 * seat.stop(), 3)
                 + " mm, a damper of " + Digits.significant(seat.leastDamping(), 3) + " to " + Digits.significant(seat.mostDamping(), 4)
-                + " N·s/m or an actuator of ± " + Digits.significant(seat.mostForce(), 3) + " N, both " + Digits.significant(1e3 * seat.delay(), 2)
+                + " N·s/m or an actuator of ± " + Digits.significant(seat.mostForce(), 3) + " N, both "
+                + Digits.significant(1e3 * seat.delay(), 2)
                 + " ms late with a lag of " + Digits.significant(1e3 * seat.lag(), 2)
                 + " ms. The person: the virtual rig's, seven bodies that soften, along z.\n\n"
                 + "Spectra EM1 to EM9 are those of ISO 7096:2000 as a public implementation prints them (hvtestspectrum 1.1, HVLab HRV "

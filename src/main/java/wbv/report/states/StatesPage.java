@@ -139,7 +139,8 @@ public final class StatesPage {
         for (Channel channel : List.of(features.seat(), features.head())) {
             blocks.add(new LineChart(channel.toString(), TIME, ChartAxis.linear("Acceleration", "m/s²"),
                     List.of(Series.line(channel.toString(),
-                    time, Arrays.copyOf(track.recording().values(channel), n)))).grouped("time"));
+                            time, Arrays.copyOf(track.recording().values(channel), n))))
+                    .grouped("time"));
         }
         blocks.add(new LineChart("Roll and pitch rate", TIME, ChartAxis.linear("Rate", "rad/s"), List.of(
                 Series.line(features.roll().toString(), time, Arrays.copyOf(track.recording().values(features.roll()), n)),
@@ -157,7 +158,7 @@ public final class StatesPage {
         return new Section("States over time", "The likeliest state of every sample given the whole recording, one line a state, "
                 + "above the "
                 + "signals" + (n < track.length() ? "; the first " + Math.round(time[n - 1]) + " s" : "") + ". Drag to zoom.",
-                        blocks);
+                blocks);
     }
 
     private Section transitions() {
@@ -190,7 +191,8 @@ public final class StatesPage {
         return new Section("What the states look like", "Left what a jolt's states are told by: jerk of the head over jerk of the "
                 + "seat. Right what tells a jolt and rocking: how the seat sways over how it surges, both as logarithms that are "
                 + "flat where they say nothing; dashed the ellipses of two standard deviations of every component.",
-                new Beside(new XyChart("Head over seat", ChartAxis.linear("Seat jerk", "m/s³"), ChartAxis.linear("Head jerk", "m/s³"), jerks),
+                new Beside(
+                        new XyChart("Head over seat", ChartAxis.linear("Seat jerk", "m/s³"), ChartAxis.linear("Head jerk", "m/s³"), jerks),
                         new XyChart("Sway over surge", ChartAxis.linear("Surge, log10", "m/s²"), ChartAxis.linear("Sway, log10", "rad/s"),
                                 levels)));
     }
@@ -264,7 +266,7 @@ public final class StatesPage {
 
     private Section reliability() {
         List<XySeries> series = new ArrayList<>(List.of(new XySeries("said and came alike", new double[] {0, 1}, new double[] {0,
-                1},
+            1},
                 XySeries.Style.DASHED).coloured(7)));
         List<List<String>> rows = new ArrayList<>();
         for (int h = 0; h < forecasts.size(); h++) {
@@ -302,7 +304,8 @@ public final class StatesPage {
                 + "out of the ride tell a lag, three at least.",
                 new Table("", List.of(
                         Table.Column.words("Recording"), Table.Column.numbers("Jerking samples"), Table.Column.numbers("Lag "
-                                + "[ms]"), Table.Column.numbers("±2σ [ms]"),
+                                + "[ms]"),
+                        Table.Column.numbers("±2σ [ms]"),
                         Table.Column.numbers("Frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Kalman [Hz]"), Table.Column.numbers("Kalman damping")), rows));
     }

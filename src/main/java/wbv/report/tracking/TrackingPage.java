@@ -48,8 +48,7 @@ public final class TrackingPage {
     }
 
     private Page page() {
-        String methods = tracking.request().recipes().stream().map(recipe ->
-                recipe.method().word()).collect(Collectors.joining(", "));
+        String methods = tracking.request().recipes().stream().map(recipe -> recipe.method().word()).collect(Collectors.joining(", "));
         List<Section> sections = new ArrayList<>(List.of(summary()));
         tracking.outputs().forEach(output -> sections.add(tracks(output)));
         sections.add(responses());
@@ -109,12 +108,13 @@ public final class TrackingPage {
                     one -> one.outlines().get(mode).dampingDeviation()).marked(changes).grouped("time"));
         }
         charts.add(new LineChart("Output less prediction", ChartAxis.linear("Time", "s"),
-                ChartAxis.linear("Error", output.quantity().unit()), those.stream().map(one ->
-                Series.envelope(one.recipe().method().word(),
-                        one.residual(), start, 1 / rate)).toList()).grouped("time"));
+                ChartAxis.linear("Error", output.quantity().unit()), those.stream().map(one -> Series.envelope(one.recipe().method().word(),
+                        one.residual(), start, 1 / rate)).toList())
+                .grouped("time"));
         return new Section(output.toString(),
                 "Bands are ±2σ, by how the estimates really scatter; a change is where the last one heard the body "
-                + "change.", charts);
+                        + "change.",
+                charts);
     }
 
     private List<FollowedBody> of(Channel output) {

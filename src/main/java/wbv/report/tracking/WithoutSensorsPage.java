@@ -28,7 +28,7 @@ import wbv.study.WithoutSensors;
 /** The report of a recording without some of its sensors. */
 public final class WithoutSensorsPage {
 
-    private WithoutSensorsPage() { }
+    private WithoutSensorsPage() {}
 
     /** Writes {@code report.html}. @param provenance what, and from what, this was made, in the order in which it is shown */
     public static void write(WithoutSensors run, Map<String, String> provenance, OutputFolder out) throws IOException {
@@ -51,11 +51,12 @@ public final class WithoutSensorsPage {
                         .mapToDouble(seen -> run.at(channel, attribute, (int) seen.sample())).toArray();
                 blocks.add(new LineChart(channel.location() + ", " + (index == 0 ? "natural frequency" : "damping ratio"),
                         ChartAxis.linear("Time", "s"), ChartAxis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
-                        Attributes.unit(attribute)),
+                                Attributes.unit(attribute)),
                         List.of(Series.line("constrained estimator", time, followed).with(new Band(Band.Kind.UNCERTAINTY,
                                 chords.stream().mapToDouble(Chord::lower).toArray(), chords.stream().mapToDouble(Chord::upper)
-                                .toArray(),
-                                "polygons' bounds")))).grouped("time"));
+                                        .toArray(),
+                                "polygons' bounds"))))
+                        .grouped("time"));
             }
         }
         sections.add(new Section("The constraint at work", "Bounds that the pole of " + trained.layout().measured().location()

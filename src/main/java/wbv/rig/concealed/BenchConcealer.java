@@ -36,10 +36,10 @@ final class BenchConcealer {
      * @param faulty body whose sensor is at fault, -1 for none
      * @param fault of a series
      */
-    private record Hidden(Omission omission, Consumer<Setup> change, int faulty, UnaryOperator<double[]> fault) { }
+    private record Hidden(Omission omission, Consumer<Setup> change, int faulty, UnaryOperator<double[]> fault) {}
 
     /** As sized. @param left missed variance over that of the output, of each */
-    private record Sized(Hidden hidden, double share, double[] left) { }
+    private record Sized(Hidden hidden, double share, double[] left) {}
 
     private final ConcealedSpec spec;
     private final Seeds seeds;
@@ -96,7 +96,7 @@ final class BenchConcealer {
         double wanted = Concealer.share(spec, random);
         int body = random.nextInt(bench.chain().size());
         double[] rows = acquisition.rows(drive);
-        double[] left = fitted(rows, calm, new Hidden(Omission.told("", "", "", Map.of(), List.of()), setup -> { }, -1, x -> x));
+        double[] left = fitted(rows, calm, new Hidden(Omission.told("", "", "", Map.of(), List.of()), setup -> {}, -1, x -> x));
         if (word.startsWith("sensor.")) {
             return fault(word, body, wanted, rows, left);
         }
@@ -119,20 +119,26 @@ final class BenchConcealer {
         double usual = UniformSeries.rms(bench.felt(calm, body, bench.quantity()));
         double f = bench.first();
         return switch (word) {
-            case "sensor.delay" -> fault(word, channel, body, "late", "delay_s", 1e-3 / f, 0.3 / f, size -> x -> acquisition.late(x, size), wanted, rows, left);
-            case "sensor.gain" -> fault(word, channel, body, "constant", "factor_less_one", 0.01, 0.6, size -> x -> UniformSeries.scaled(x, 1 + size), wanted, rows, left);
-            case "sensor.ac-coupled" -> fault(word, channel, body, "first-order high-pass", "corner_hz", 0.003 * f, 0.6 * f, size -> x -> highPass(x, size), wanted,
+            case "sensor.delay" -> fault(word, channel, body, "late", "delay_s", 1e-3 / f, 0.3 / f, size -> x -> acquisition.late(x, size),
+                    wanted, rows, left);
+            case "sensor.gain" -> fault(word, channel, body, "constant", "factor_less_one", 0.01, 0.6,
+                    size -> x -> UniformSeries.scaled(x, 1 + size), wanted, rows, left);
+            case "sensor.ac-coupled" ->
+                fault(word, channel, body, "first-order high-pass", "corner_hz", 0.003 * f, 0.6 * f, size -> x -> highPass(x, size), wanted,
+                        rows, left);
+            case "sensor.clipping" -> fault(word, channel, body, "both sides", "usual_over_limit", 0.3, 3,
+                    size -> x -> Arrays.stream(x).map(each -> Math.max(-usual / size, Math.min(usual / size, each))).toArray(), wanted,
                     rows, left);
-            case "sensor.clipping" -> fault(word, channel, body, "both sides", "usual_over_limit", 0.3, 3, size -> x -> Arrays.stream(x).map(each ->
-                    Math.max(-usual / size, Math.min(usual / size, each))).toArray(), wanted, rows, left);
             default -> throw new IllegalArgumentException("no bench's sensor can have '" + word + "'");
         };
     }
 
     private Sized fault(String word, String channel, int body, String form, String parameter, double least, double most,
-                        DoubleFunction<UnaryOperator<double[]>> fault, double wanted, double[] rows, double[] left) {
-        return OmissionSize.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, channel, form, Map.of(parameter, size), List.of()), setup -> { },
-                body, fault.apply(size)), rows, left), Sized::share);
+            DoubleFunction<UnaryOperator<double[]>> fault, double wanted, double[] rows, double[] left) {
+        return OmissionSize.sized(least, most, wanted,
+                size -> look(new Hidden(Omission.told(word, channel, form, Map.of(parameter, size), List.of()), setup -> {},
+                        body, fault.apply(size)), rows, left),
+                Sized::share);
     }
 
     /** A capacitor and a resistor, by the bilinear transform. @param corner [Hz] */
@@ -193,9 +199,11 @@ final class BenchConcealer {
             if (noisy) {
                 felt = acquisition.late(UniformSeries.scaled(felt, gain), late);
             }
-            double[] rows = acquisition.rows(i > 0 && sized.isPresent() && sized.get().hidden().faulty() == body ? sized.get().hidden().fault().apply(felt) : felt);
+            double[] rows = acquisition.rows(
+                    i > 0 && sized.isPresent() && sized.get().hidden().faulty() == body ? sized.get().hidden().fault().apply(felt) : felt);
             // What a sensor's range allows: as fine as at the usual level.
-            double sd = bench.noise() * spec.setting().noise * (i > 0 ? UniformSeries.rms(bench.felt(calm, body, bench.quantity())) : bench.strength() * (bench.isFree() ? COMMANDED : 1));
+            double sd = bench.noise() * spec.setting().noise * (i > 0 ? UniformSeries.rms(bench.felt(calm, body, bench.quantity()))
+                    : bench.strength() * (bench.isFree() ? COMMANDED : 1));
             if (noisy) {
                 Arrays.setAll(rows, s -> Math.rint((rows[s] + sd * random.nextGaussian()) / (sd / 20)) * (sd / 20) + 0.0);
             }
@@ -241,7 +249,8 @@ final class BenchConcealer {
         root.put("strength", spec.strength()).put("setting", spec.setting().word()).put("exact_model", spec.exact());
         root.put("linear_chi2", Chain.rounded(1 + excess));
         root.set("true_linear_model", bench.json("true linear part", bench.chain()));
-        root.put("first_resonance_hz", Chain.rounded(bench.first())).put("rate_hz", bench.rate()).put("seconds", Chain.rounded(bench.seconds()));
+        root.put("first_resonance_hz", Chain.rounded(bench.first())).put("rate_hz", bench.rate()).put("seconds",
+                Chain.rounded(bench.seconds()));
         root.put("free", bench.isFree()).put("sweeps", bench.sweeps()).put("noise_over_signal", Chain.rounded(bench.noise()));
         root.putArray("force_band_hz").add(Chain.rounded(bench.low())).add(Chain.rounded(bench.high()));
         if (order.length > 1) {

@@ -24,7 +24,7 @@ final class ChainPlant {
      * @param rate [m/s]
      * @param force in each link, then in those under bodies that nobody sees, positive in tension [N]
      */
-    record Trace(double[][] acceleration, double[][] extension, double[][] rate, double[][] force) { }
+    record Trace(double[][] acceleration, double[][] extension, double[][] rate, double[][] force) {}
 
     private final Setup setup;
     private final int substeps;

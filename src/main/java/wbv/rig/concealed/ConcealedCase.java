@@ -18,7 +18,8 @@ import wbv.recording.format.RecordingWriter;
  * @param beside    what else may be seen, by file name: {@link #WITH}, {@link #PROOF}, {@link #SIMULATION}
  * @param force     for a law that is to be learned: its force and its link's motion by row, as CSV
  */
-public record ConcealedCase(Recording recording, Recording clean, String model, String key, Optional<String> force, Map<String, Recording> beside) {
+public record ConcealedCase(Recording recording, Recording clean, String model, String key, Optional<String> force,
+        Map<String, Recording> beside) {
 
     /** Of several recordings that are fitted together, the second. */
     public static final String WITH = "with.csv.gz";

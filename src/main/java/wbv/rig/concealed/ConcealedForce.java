@@ -11,7 +11,7 @@ final class ConcealedForce {
 
     static final String HEAD = "time_s,force_N,extension_m,rate_m_per_s\n";
 
-    private ConcealedForce() { }
+    private ConcealedForce() {}
 
     /**
      * By row: in a link, all that it carries less stiffness · extension and damping · rate of its linear part, positive in tension; on a

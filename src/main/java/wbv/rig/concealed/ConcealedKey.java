@@ -10,13 +10,14 @@ import wbv.rig.concealed.law.Term;
 /** What was concealed, as JSON. */
 final class ConcealedKey {
 
-    private ConcealedKey() { }
+    private ConcealedKey() {}
 
     /**
      * @param noise variance by output that no model predicts [(m/s²)²]
      * @param force of a law that is to be learned, which is sealed beside the key
      */
-    static ObjectNode json(ConcealedSpec spec, RideScene scene, List<OmissionSize> hidden, double stirring, double[] noise, Optional<String> force) {
+    static ObjectNode json(ConcealedSpec spec, RideScene scene, List<OmissionSize> hidden, double stirring, double[] noise,
+            Optional<String> force) {
         ObjectNode root = new ObjectMapper().createObjectNode();
         root.put("case", spec.name());
         ArrayNode mechanisms = root.putArray("mechanisms");

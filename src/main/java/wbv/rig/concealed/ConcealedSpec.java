@@ -29,16 +29,19 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
             "unlisted.hand");
 
     /** Laws that are in no library, to be learned: what a seat, its suspension or a sitter might do and nobody has named here. */
-    public static final List<String> OPEN = List.of("open.damping.travel", "open.damping.breathing", "open.damping.level", "open.damping.tilt",
-            "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy", "open.drag.lagged", "open.stiffness.load", "open.stiffness.bolster",
-            "open.stiffness.mullins", "open.friction.wedge", "open.friction.load", "open.friction.side", "open.muscle.two-joint",
-            "open.cushion.orifice", "open.inerter", "open.slosh");
+    public static final List<
+            String> OPEN = List.of("open.damping.travel", "open.damping.breathing", "open.damping.level", "open.damping.tilt",
+                    "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy", "open.drag.lagged", "open.stiffness.load",
+                    "open.stiffness.bolster",
+                    "open.stiffness.mullins", "open.friction.wedge", "open.friction.load", "open.friction.side", "open.muscle.two-joint",
+                    "open.cushion.orifice", "open.inerter", "open.slosh");
 
     /**
      * What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest; the force on
      * a bench beside the motion that another force made.
      */
-    public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
+    public static final List<
+            String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
 
     /** Where what can be concealed is not what a sitter's chain can have: sensors of benches. */
     public static final List<String> BENCHES = List.of("sensor.ac-coupled");
@@ -61,7 +64,8 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
     public ConcealedSpec {
         words = List.copyOf(words);
         for (String word : words) {
-            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word) && !BENCHES.contains(word) && !((OPEN.contains(word) || UNRELATED.contains(word)) && words.size() == 1)) {
+            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word) && !BENCHES.contains(word)
+                    && !((OPEN.contains(word) || UNRELATED.contains(word)) && words.size() == 1)) {
                 throw new IllegalArgumentException("nothing of this name can be concealed: '" + word + "'");
             }
         }

@@ -73,8 +73,10 @@ public final class Concealer {
         ChainPlant.Trace trace = scene.play(setup);
         Map<String, double[][]> sent = imus.sent(setup, trace, seeds.of("sensors"));
         Map<String, double[][]> clean = imus.clean(setup, trace);
-        String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
-        Optional<String> force = spec.isOpen() ? Optional.of(ConcealedForce.of(hidden.get(0).omission(), scene.chain(), trace, imus)) : Optional.empty();
+        String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString()
+                + "\n";
+        Optional<String> force = spec.isOpen() ? Optional.of(ConcealedForce.of(hidden.get(0).omission(), scene.chain(), trace, imus))
+                : Optional.empty();
         return new ConcealedCase(recording(sent, scene.blind(), Imus.RATE, true), recording(clean, scene.blind(), Imus.RATE, false), model,
                 ConcealedKey.json(spec, scene, hidden, newtons, noise(scene, imus, stir), force).toPrettyString() + "\n", force);
     }
@@ -95,8 +97,9 @@ public final class Concealer {
         double density = Math.pow(scene.setting().noise * ImuErrors.TABLE_3_2.acceleration().noise(), 2);
         double[] out = new double[places.size()];
         for (int o = 0; o < out.length; o++) {
-            double moved = UniformSeries.rms(UniformSeries.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),
-                    places.get(o))));
+            double moved = UniformSeries
+                    .rms(UniformSeries.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),
+                            places.get(o))));
             out[o] = density * (LinearFit.HIGH - LinearFit.LOW) * (1 + gain[o]) + moved * moved;
         }
         return out;

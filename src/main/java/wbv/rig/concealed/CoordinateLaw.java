@@ -39,14 +39,19 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
         String n = at.newtons();
         String m = at.metres();
         return switch (word) {
-            case "stiffness.softening" -> named(word, 0.05, 3, "tanh", a -> Map.of("knee_" + m, travel / a), a -> Springs.tanh(k, c, travel / a));
-            case "stiffness.hardening" -> named(word, 0.05, 6, "cubic, then straight", a -> Map.of("k3_" + n + "_per_" + m + "3", k * a * a / (travel * travel)),
-                    a -> Springs.hardening(k, c, travel / a));
-            case "stiffness.asymmetric" -> named(word, 0.02, 5, "smooth bend", a -> Map.of("compression_ratio", a), a -> Springs.asymmetric(k, c, a, 0.2 * travel));
-            case "damping.quadratic" -> named(word, 0.05, 10, "with the linear part kept", a -> Map.of("c2_" + n + "s2_per_" + m + "2", a * at.drag() / speed),
-                    a -> Springs.quadratic(k, c, a * at.drag() / speed, 0.1 * speed));
-            case "friction.coulomb" -> named(word, 0.01, k > 0 ? 2 : 0.7, "LuGre", a -> Map.of("friction_" + n, a * at.force()), a -> new Lugre(k, c, a * at.force(),
-                    (1.1 + 0.3 * half) * a * at.force(), 0.3 * speed, a * at.force() / ((0.03 + 0.03 * half) * travel)));
+            case "stiffness.softening" ->
+                named(word, 0.05, 3, "tanh", a -> Map.of("knee_" + m, travel / a), a -> Springs.tanh(k, c, travel / a));
+            case "stiffness.hardening" ->
+                named(word, 0.05, 6, "cubic, then straight", a -> Map.of("k3_" + n + "_per_" + m + "3", k * a * a / (travel * travel)),
+                        a -> Springs.hardening(k, c, travel / a));
+            case "stiffness.asymmetric" ->
+                named(word, 0.02, 5, "smooth bend", a -> Map.of("compression_ratio", a), a -> Springs.asymmetric(k, c, a, 0.2 * travel));
+            case "damping.quadratic" ->
+                named(word, 0.05, 10, "with the linear part kept", a -> Map.of("c2_" + n + "s2_per_" + m + "2", a * at.drag() / speed),
+                        a -> Springs.quadratic(k, c, a * at.drag() / speed, 0.1 * speed));
+            case "friction.coulomb" -> named(word, 0.01, k > 0 ? 2 : 0.7, "LuGre", a -> Map.of("friction_" + n, a * at.force()),
+                    a -> new Lugre(k, c, a * at.force(),
+                            (1.1 + 0.3 * half) * a * at.force(), 0.3 * speed, a * at.force() / ((0.03 + 0.03 * half) * travel)));
             case "hysteresis" -> {
                 double[] yield = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
                 yield named(word, 0.03, 0.85, "five Jenkins sliders", a -> Map.of("share", a), a -> new Sliders(k, c, a, yield));
@@ -55,31 +60,38 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
                     a -> Springs.contactLoss(k, c, at.force() / a, 0.06 * at.force() / a));
             case "contact.bumpstop" -> {
                 double gap = (0.7 + 0.9 * half) * travel;
-                yield named(word, 0.03, 30, "Hertz, in compression", a -> Map.of("gap_" + m, gap), a -> Springs.hertz(k, c, a * at.scale() / Math.sqrt(travel), gap));
+                yield named(word, 0.03, 30, "Hertz, in compression", a -> Map.of("gap_" + m, gap),
+                        a -> Springs.hertz(k, c, a * at.scale() / Math.sqrt(travel), gap));
             }
-            case "contact.backlash" -> named(word, 0.03, 1.5, "soft edge", a -> Map.of("gap_" + m, a * travel), a -> Springs.play(k, c, a * travel));
-            case "open.damping.rebound" -> open(at, 0.1, 8, "a damper that works in rebound alone", Term.of(Factor.of("speed", "positive part")),
-                    a -> OpenLaws.rebound(a * at.drag()));
-            case "open.damping.blow-off" -> open(at, 0.1, 12, "a damper that blows off in compression", Term.of(Factor.of("speed", "negative part beyond a knee")),
-                    a -> OpenLaws.blowOff(a * at.drag(), (0.1 + 0.3 * half) * speed));
-            case "open.damping.eddy" -> open(at, 0.1, 8, "an eddy-current brake past its crest", Term.of(Factor.of("speed", "over one plus its square")),
-                    a -> OpenLaws.eddyBrake(a * at.drag(), (0.4 + 0.4 * half) * speed));
+            case "contact.backlash" ->
+                named(word, 0.03, 1.5, "soft edge", a -> Map.of("gap_" + m, a * travel), a -> Springs.play(k, c, a * travel));
+            case "open.damping.rebound" ->
+                open(at, 0.1, 8, "a damper that works in rebound alone", Term.of(Factor.of("speed", "positive part")),
+                        a -> OpenLaws.rebound(a * at.drag()));
+            case "open.damping.blow-off" ->
+                open(at, 0.1, 12, "a damper that blows off in compression", Term.of(Factor.of("speed", "negative part beyond a knee")),
+                        a -> OpenLaws.blowOff(a * at.drag(), (0.1 + 0.3 * half) * speed));
+            case "open.damping.eddy" ->
+                open(at, 0.1, 8, "an eddy-current brake past its crest", Term.of(Factor.of("speed", "over one plus its square")),
+                        a -> OpenLaws.eddyBrake(a * at.drag(), (0.4 + 0.4 * half) * speed));
             case "open.damping.travel" -> open(at, 0.05, 6, "damping that grows with the square of the deflection",
                     Term.of(Factor.of("deflection", "square"), SPEED), a -> OpenLaws.travelDamping(a * at.drag(), travel));
             case "open.friction.wedge" -> open(at, 0.01, 1.2, "dry friction pressed by its own deflection",
-                    Term.of(Factor.of("deflection", "magnitude"), Factor.of("speed", "sign")), a -> OpenLaws.wedge(a * at.scale(), EDGE * speed));
+                    Term.of(Factor.of("deflection", "magnitude"), Factor.of("speed", "sign")),
+                    a -> OpenLaws.wedge(a * at.scale(), EDGE * speed));
             default -> throw new IllegalArgumentException("no single coordinate can have '" + word + "'");
         };
     }
 
     private static CoordinateLaw named(String word, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters,
-                                       DoubleFunction<LinkPhysics> physics) {
+            DoubleFunction<LinkPhysics> physics) {
         return new CoordinateLaw(word, least, most, form, parameters, List.of(), a -> h -> physics.apply(a));
     }
 
     /** Beside spring and dashpot. */
     private static CoordinateLaw open(Coordinate at, double least, double most, String form, Term term, DoubleFunction<LinkPhysics> extra) {
-        return new CoordinateLaw("unknown", least, most, form, a -> Map.of("size", a), List.of(term), a -> h -> new ParallelForce(at.k(), at.c(), extra.apply(a)));
+        return new CoordinateLaw("unknown", least, most, form, a -> Map.of("size", a), List.of(term),
+                a -> h -> new ParallelForce(at.k(), at.c(), extra.apply(a)));
     }
 
     /** What is told of a size of it. */

@@ -7,10 +7,10 @@ import java.util.function.DoubleUnaryOperator;
 interface Fault {
 
     /** While it senses. @param six channels by sample at {@link UniformSeries#RATE}. Modified. */
-    default void whileSensing(double[][] six) { }
+    default void whileSensing(double[][] six) {}
 
     /** As it sends. @param six channels by row. Modified. */
-    default void whileSending(double[][] six) { }
+    default void whileSending(double[][] six) {}
 
     int Z = 2;
 

@@ -62,7 +62,7 @@ final class Imus {
             z[i] = up[i] + shaking.pitch()[i] * x[i] - shaking.roll()[i] * y[i];
         }
         return new double[][] {x.clone(), y.clone(), z, UniformSeries.rate(shaking.roll()), UniformSeries.rate(shaking.pitch()),
-                UniformSeries.rate(shaking.yaw())};
+            UniformSeries.rate(shaking.yaw())};
     }
 
     /** What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */

@@ -62,14 +62,15 @@ final class InertialSensors {
     }
 
     /** What real ones send: with scatter and noise. @param seeds of how they are mounted @param noises of this time's noise */
-    Map<String, double[][]> sent(List<Setup.FaultAt> faults, List<String> places, Function<String, double[][]> motion, Seeds seeds, Seeds noises) {
+    Map<String, double[][]> sent(List<Setup.FaultAt> faults, List<String> places, Function<String, double[][]> motion, Seeds seeds,
+            Seeds noises) {
         Map<String, double[][]> out = new LinkedHashMap<>();
         for (String place : places) {
             RandomGenerator random = seeds.source("imu " + place);
             double[][] six = motion.apply(place);
             double[] arm = {setting.lever * 1e-3 * random.nextGaussian(), setting.lever * 1e-3 * random.nextGaussian()};
             double[] tilt = {Math.toRadians(setting.tilt) * random.nextGaussian(),
-                    Math.toRadians(setting.tilt) * random.nextGaussian()};
+                Math.toRadians(setting.tilt) * random.nextGaussian()};
             double[] rollSpin = UniformSeries.rate(six[3]);
             double[] pitchSpin = UniformSeries.rate(six[4]);
             for (int i = 0; i < six[0].length; i++) {

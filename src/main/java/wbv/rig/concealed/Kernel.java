@@ -3,7 +3,7 @@ package wbv.rig.concealed;
 /** Weights of linear-phase filters: a sinc under a Blackman window, of unit gain at rest. */
 final class Kernel {
 
-    private Kernel() { }
+    private Kernel() {}
 
     /**
      * @param corner frequency of half amplitude

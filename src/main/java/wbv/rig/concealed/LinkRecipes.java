@@ -53,7 +53,7 @@ final class LinkRecipes {
         return switch (word) {
             case "stiffness.softening" -> coin
                     ? law(0.05, 3, word, "tanh", a -> Map.of("k3_N_per_m3", -k * a * a / (3 * travel * travel), "knee_m",
-                    travel / a),
+                            travel / a),
                             a -> Springs.tanh(k, c, travel / a))
                     : law(0.01, 4, word, "rational", a -> Map.of("knee_m", travel / a), a -> Springs.rational(k, c, travel / a));
             case "stiffness.hardening" -> law(0.05, 6, word, "cubic, then straight",
@@ -65,7 +65,7 @@ final class LinkRecipes {
                     a -> Springs.quadratic(k, c, a * c / speed, 0.1 * speed));
             case "friction.coulomb" -> law(0.01, 2, word, "LuGre", a -> Map.of("friction_N", a * force),
                     a -> new Lugre(k, c, a * force, (1.1 + 0.3 * half) * a * force, 0.3 * speed, a * force / ((0.03
-                    + 0.03 * half) * travel)));
+                            + 0.03 * half) * travel)));
             case "hysteresis" -> {
                 double[] yield = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
                 yield law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> new Sliders(k, c, a, yield));
@@ -89,12 +89,13 @@ final class LinkRecipes {
                 double start = (0.2 + 0.4 * half) * seconds;
                 double ramp = 1.5 + 2.5 * random.nextDouble();
                 yield law(0.02, 0.8, word, "ramp of " + Math.round(ramp) + " s", a -> Map.of("time_s", start + ramp / 2,
-                        "stiffness_factor", coin ? 1 - a : 1 + 1.5 * a), a -> new Modulated(k, c,
-                        Modulated.ramp(start, ramp, coin ? 1 - a : 1 + 1.5 * a), half < 0.5 ? 1 : 0.5));
+                        "stiffness_factor", coin ? 1 - a : 1 + 1.5 * a),
+                        a -> new Modulated(k, c,
+                                Modulated.ramp(start, ramp, coin ? 1 - a : 1 + 1.5 * a), half < 0.5 ? 1 : 0.5));
             }
             case "drift.slow" -> law(0.02, 0.8, word, "creep", a -> Map.of("end_factor", 1 + (coin ? -a : 1.5 * a)
                     * (1 - Math.exp(-1 / (0.4 + half)))), a -> new Modulated(k, c,
-                    Modulated.creep((0.4 + half) * seconds, coin ? 1 - a : 1 + 1.5 * a), 0.5));
+                            Modulated.creep((0.4 + half) * seconds, coin ? 1 - a : 1 + 1.5 * a), 0.5));
             case "muscle.reflex" -> {
                 double delay = 0.04 + 0.07 * half;
                 yield new OmissionRecipe(0.02, 0.8, a -> new Omission(word, where, "delayed, then low-passed",
@@ -107,8 +108,7 @@ final class LinkRecipes {
                 yield law(0.02, 0.85, word, "stiffness breathes at 0.25 Hz", a -> Map.of("depth", a),
                         a -> new Modulated(k, c, breath.apply(a), 0.5));
             }
-            case "unlisted.thixotropy" -> law(0.05, 0.9, word, "stiffness lost to motion, regained in seconds", a ->
-                    Map.of("loss", a),
+            case "unlisted.thixotropy" -> law(0.05, 0.9, word, "stiffness lost to motion, regained in seconds", a -> Map.of("loss", a),
                     a -> new Thixotropic(k, c, a, speed * speed, 6));
             case "unlisted.sway" -> {
                 double[] u = scene.fore().get("head").displacement();
@@ -122,7 +122,7 @@ final class LinkRecipes {
     }
 
     private OmissionRecipe law(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
-                       DoubleFunction<LinkPhysics> physics) {
+            DoubleFunction<LinkPhysics> physics) {
         String mechanism = word.startsWith("unlisted.") ? "unknown" : word;
         return new OmissionRecipe(least, most, a -> new Omission(mechanism, where, form, parameters.apply(a),
                 setup -> setup.link(link, h -> physics.apply(a))));

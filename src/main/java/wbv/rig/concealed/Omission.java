@@ -27,7 +27,7 @@ record Omission(String mechanism, String where, String form, Map<String, Double>
 
     /** What is told of one that is no change of a chain. */
     static Omission told(String mechanism, String where, String form, Map<String, Double> parameters, List<Term> law) {
-        return new Omission(mechanism, where, form, parameters, law, setup -> { });
+        return new Omission(mechanism, where, form, parameters, law, setup -> {});
     }
 
     /** One that has a name, or is not to be learned. */

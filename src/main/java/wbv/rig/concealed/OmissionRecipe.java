@@ -7,4 +7,4 @@ import java.util.function.DoubleFunction;
  *
  * @param least @param most sizes between which it is physics @param of the omission of a size; larger does more
  */
-record OmissionRecipe(double least, double most, DoubleFunction<Omission> of) { }
+record OmissionRecipe(double least, double most, DoubleFunction<Omission> of) {}

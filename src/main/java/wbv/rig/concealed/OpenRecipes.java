@@ -108,7 +108,8 @@ final class OpenRecipes {
             }
             case "open.drag.lagged" -> {
                 double lag = 0.02 + 0.04 * half;
-                yield law(0.05, 12, "drag with the square of speed, that answers late", a -> Map.of("c2_Ns2_per_m2", a * c / speed, "memory_s", lag),
+                yield law(0.05, 12, "drag with the square of speed, that answers late",
+                        a -> Map.of("c2_Ns2_per_m2", a * c / speed, "memory_s", lag),
                         Term.lagged(lag, Factor.of("speed", "square with sign")), a -> new LaggedDrag(a * c / speed, lag));
             }
             case "open.stiffness.mullins" -> {
@@ -125,7 +126,8 @@ final class OpenRecipes {
                 double stiff = (0.5 + half) * travel / speed;
                 yield law(0.02, 4, "a cushion whose fluid leaves through an orifice and comes back through a flap",
                         a -> Map.of("volume_N_per_m", a * k, "orifice_Ns2_per_m2", a * k * stiff / speed, "flap_Ns2_per_m2",
-                                FLAP * a * k * stiff / speed), Term.lagged(stiff, Factor.of("speed", "negative part")),
+                                FLAP * a * k * stiff / speed),
+                        Term.lagged(stiff, Factor.of("speed", "negative part")),
                         a -> new Orifice(a * k, a * k * stiff / speed, FLAP * a * k * stiff / speed, 0.05 * speed));
             }
             case "open.inerter" -> law(0.05, 3, "an inerter", a -> Map.of("inertance_kg", a * scene.chain().mass()[link]),
@@ -193,13 +195,13 @@ final class OpenRecipes {
     }
 
     private OmissionRecipe law(double least, double most, String form, DoubleFunction<Map<String, Double>> parameters, Term term,
-                       DoubleFunction<LinkPhysics> extra) {
+            DoubleFunction<LinkPhysics> extra) {
         return new OmissionRecipe(least, most, a -> omission(form, parameters.apply(a), term, setup -> h -> extra.apply(a)));
     }
 
     /** Beside the link's own spring and dashpot. @param extra for a setup and a step of so many seconds */
     private Omission omission(String form, Map<String, Double> parameters, Term term,
-                              Function<Setup, DoubleFunction<LinkPhysics>> extra) {
+            Function<Setup, DoubleFunction<LinkPhysics>> extra) {
         return new Omission("unknown", scene.chain().link(link), form, parameters, List.of(term),
                 setup -> setup.link(link, h -> new ParallelForce(k, c, extra.apply(setup).apply(h))));
     }

@@ -32,13 +32,13 @@ final class PlanarConcealer {
     private static final double WILD = 9;
 
     /** Where a mechanism can be. */
-    private record Place(String joint, int component) { }
+    private record Place(String joint, int component) {}
 
     /** What is concealed. @param change to the person */
-    private record Hidden(Omission omission, Consumer<PlanarSetup> change) { }
+    private record Hidden(Omission omission, Consumer<PlanarSetup> change) {}
 
     /** As sized. @param share missed in the worst output @param left missed variance, by body and channel shown [(m/s²)² or (rad/s)²] */
-    private record Sized(Hidden hidden, double share, double[][] left) { }
+    private record Sized(Hidden hidden, double share, double[][] left) {}
 
     private final ConcealedSpec spec;
     private final Seeds seeds;
@@ -71,7 +71,8 @@ final class PlanarConcealer {
         sized.ifPresent(each -> each.hidden().change().accept(setup));
         setup.stir(stir);
         PlanarPlant.Trace trace = new PlanarPlant(setup, PlanarPlant.FINE).run(base);
-        Map<String, double[][]> sent = sensors.sent(setup.faults(), PlanarPerson.PLACES, place -> motion(base, trace, place), seeds.of("sensors"), seeds.of("sensors"));
+        Map<String, double[][]> sent = sensors.sent(setup.faults(), PlanarPerson.PLACES, place -> motion(base, trace, place),
+                seeds.of("sensors"), seeds.of("sensors"));
         Map<String, double[][]> clean = sensors.clean(setup.faults(), PlanarPerson.PLACES, place -> motion(base, trace, place));
         PlanarPerson believed = spec.exact() ? person : person.wrong(seeds.source("user"));
         boolean jointed = spec.setting() == Setting.JOINTED;
@@ -151,7 +152,8 @@ final class PlanarConcealer {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         for (String place : places) {
             for (int q : SHOWN) {
-                channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)), six.get(place)[q]);
+                channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)),
+                        six.get(place)[q]);
             }
         }
         return Concealer.recording(channels, InertialSensors.RATE);
@@ -204,14 +206,16 @@ final class PlanarConcealer {
     /** With the coordinate in which it works. */
     private static Omission told(CoordinateLaw law, String where, Place at, double size) {
         Omission told = law.told(where, size);
-        return Omission.told(told.mechanism(), where, told.form() + ", " + at.joint() + " " + List.of("along x", "along z", "in pitch").get(at.component()),
+        return Omission.told(told.mechanism(), where,
+                told.form() + ", " + at.joint() + " " + List.of("along x", "along z", "in pitch").get(at.component()),
                 told.parameters(), told.law());
     }
 
     private Coordinate coordinate(int joint, int component) {
         PlanarPerson.Joint of = person.joints().get(joint);
         return new Coordinate(of.stiffness()[component], of.damping()[component], UniformSeries.rms(calm.extension()[joint][component]),
-                UniformSeries.rms(calm.rate()[joint][component]), UniformSeries.rms(calm.force()[joint][component]), component == PlanarPerson.PITCH);
+                UniformSeries.rms(calm.rate()[joint][component]), UniformSeries.rms(calm.force()[joint][component]),
+                component == PlanarPerson.PITCH);
     }
 
     private Sized fault(String word, String place, double wanted, RandomGenerator random) {
@@ -220,14 +224,18 @@ final class PlanarConcealer {
             case "sensor.delay" -> fault(word, place, "late", "delay_s", 5e-4, 0.06, wanted, size -> Fault.late(size, size));
             case "sensor.gain" -> fault(word, place, "constant", "factor_less_one", 0.01, 0.6, wanted, size -> Fault.gain(1 + size));
             case "sensor.misalignment" -> fault(word, place, "turned about y", "angle_rad", 0.01, 0.6, wanted, size -> Fault.turned(size));
-            case "sensor.mount" -> fault(word, place, "strap", "stiffness_over_usual", 0.8, 6, wanted, size -> Fault.strap(30 / size, 0.15 + 0.2 * half));
+            case "sensor.mount" ->
+                fault(word, place, "strap", "stiffness_over_usual", 0.8, 6, wanted, size -> Fault.strap(30 / size, 0.15 + 0.2 * half));
             default -> throw new IllegalArgumentException("no sensor in the plane can have '" + word + "'");
         };
     }
 
-    private Sized fault(String word, String place, String form, String parameter, double least, double most, double wanted, DoubleFunction<Fault> fault) {
-        return OmissionSize.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, place + ".acc.z", form, Map.of(parameter, size), List.of()),
-                setup -> setup.fault(place, fault.apply(size))), place), Sized::share);
+    private Sized fault(String word, String place, String form, String parameter, double least, double most, double wanted,
+            DoubleFunction<Fault> fault) {
+        return OmissionSize.sized(least, most, wanted,
+                size -> look(new Hidden(Omission.told(word, place + ".acc.z", form, Map.of(parameter, size), List.of()),
+                        setup -> setup.fault(place, fault.apply(size))), place),
+                Sized::share);
     }
 
     /** Of a law: what no linear filters of the platform's motion explain, beyond what they leave of the linear person. */

@@ -70,7 +70,8 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
     static PlanarPerson draw(RandomGenerator random) {
         double person = 60 + 30 * random.nextDouble();
         double[] mass = {person * spread(0.3, 0.1, random), person * spread(0.4, 0.1, random), person * spread(0.075, 0.1, random)};
-        double[] inertia = {mass[0] * 0.15 * 0.15, mass[1] * spread(0.18, 0.1, random) * 0.18, mass[2] * spread(0.075, 0.1, random) * 0.075};
+        double[] inertia = {mass[0] * 0.15 * 0.15, mass[1] * spread(0.18, 0.1, random) * 0.18,
+            mass[2] * spread(0.075, 0.1, random) * 0.075};
         double[][] centre = {{0.03, 0.1}, {-0.01, spread(0.42, 0.04, random)}, {0.02, spread(0.77, 0.03, random)}};
         double[][] sensor = {{-0.1, 0.12}, {0.1, 0.45}, {0.0, 0.88}};
         double all = mass[0] + mass[1] + mass[2];
@@ -78,11 +79,16 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         double neck = mass[2] * 0.1 * 0.1 + inertia[2];
         double trunk = inertia[1] + mass[1] * 0.2 * 0.2 + mass[2] * 0.55 * 0.55;
         List<Joint> joints = List.of(
-                joint("cushion", -1, 0, new double[] {0, 0.02}, new double[] {all, all, all * 0.35 * 0.35}, new double[] {4.5, spread(5.8, 0.16, random), 2.5}, random),
-                joint("backrest", -1, 1, new double[] {-0.12, 0.45}, new double[] {above, above, 0}, new double[] {spread(4.5, 0.2, random), 1.5, 0}, random),
-                joint("lumbar", 0, 1, new double[] {-0.04, 0.22}, new double[] {above, above, trunk}, new double[] {8, spread(9, 0.15, random), spread(3, 0.2, random)}, random),
-                joint("neck", 1, 2, new double[] {-0.01, 0.67}, new double[] {mass[2], mass[2], neck}, new double[] {9, spread(11, 0.15, random),
-                        spread(3.2, 0.2, random)}, random));
+                joint("cushion", -1, 0, new double[] {0, 0.02}, new double[] {all, all, all * 0.35 * 0.35},
+                        new double[] {4.5, spread(5.8, 0.16, random), 2.5}, random),
+                joint("backrest", -1, 1, new double[] {-0.12, 0.45}, new double[] {above, above, 0},
+                        new double[] {spread(4.5, 0.2, random), 1.5, 0}, random),
+                joint("lumbar", 0, 1, new double[] {-0.04, 0.22}, new double[] {above, above, trunk},
+                        new double[] {8, spread(9, 0.15, random), spread(3, 0.2, random)}, random),
+                joint("neck", 1, 2, new double[] {-0.01, 0.67}, new double[] {mass[2], mass[2], neck},
+                        new double[] {9, spread(11, 0.15, random),
+                            spread(3.2, 0.2, random)},
+                        random));
         return new PlanarPerson(mass, inertia, centre, sensor, joints);
     }
 
@@ -104,8 +110,9 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
 
     /** The person as another believes him to be: masses, inertias, stiffness and damping 3 to 12 % off. */
     PlanarPerson wrong(RandomGenerator random) {
-        return new PlanarPerson(off(mass, random), off(inertia, random), centre, sensor, joints.stream().map(joint -> new Joint(joint.name(), joint.lower(),
-                joint.upper(), joint.at(), off(joint.stiffness(), random), off(joint.damping(), random))).toList());
+        return new PlanarPerson(off(mass, random), off(inertia, random), centre, sensor,
+                joints.stream().map(joint -> new Joint(joint.name(), joint.lower(),
+                        joint.upper(), joint.at(), off(joint.stiffness(), random), off(joint.damping(), random))).toList());
     }
 
     private static double[] off(double[] values, RandomGenerator random) {
@@ -124,7 +131,8 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         MEASURED.forEach(channel -> base.withArray("sensors").add(PLACES.get(0) + channel));
         for (int i = 0; i < size(); i++) {
             String place = PLACES.get(i + 1);
-            ObjectNode body = root.withArray("bodies").addObject().put("name", place).put("mass_kg", Chain.rounded(mass[i])).put("inertia_kgm2", Chain.rounded(inertia[i]));
+            ObjectNode body = root.withArray("bodies").addObject().put("name", place).put("mass_kg", Chain.rounded(mass[i]))
+                    .put("inertia_kgm2", Chain.rounded(inertia[i]));
             point(body, centre[i]);
             double[] at = sensor[i];
             MEASURED.forEach(channel -> point(body.withArray("sensors").addObject().put("sensor", place + channel), at));
@@ -132,12 +140,15 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         for (Joint joint : joints) {
             for (int q = 0; q < COMPONENTS; q++) {
                 if (joint.stiffness()[q] > 0 || joint.damping()[q] > 0) {
-                    ObjectNode link = root.withArray("links").addObject().put("from", PLACES.get(joint.lower() + 1)).put("to", PLACES.get(joint.upper() + 1));
+                    ObjectNode link = root.withArray("links").addObject().put("from", PLACES.get(joint.lower() + 1)).put("to",
+                            PLACES.get(joint.upper() + 1));
                     if (q == PITCH) {
-                        link.put("about", "y").put("stiffness_Nm_per_rad", Chain.rounded(joint.stiffness()[q])).put("damping_Nms_per_rad", Chain.rounded(joint.damping()[q]));
+                        link.put("about", "y").put("stiffness_Nm_per_rad", Chain.rounded(joint.stiffness()[q])).put("damping_Nms_per_rad",
+                                Chain.rounded(joint.damping()[q]));
                     } else {
                         point(link.put("along", q == X ? "x" : "z"), joint.at());
-                        link.put("stiffness_N_per_m", Chain.rounded(joint.stiffness()[q])).put("damping_Ns_per_m", Chain.rounded(joint.damping()[q]));
+                        link.put("stiffness_N_per_m", Chain.rounded(joint.stiffness()[q])).put("damping_Ns_per_m",
+                                Chain.rounded(joint.damping()[q]));
                     }
                 }
             }
@@ -157,9 +168,11 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         ArrayNode bodies = root.putArray("bodies");
         ArrayNode links = root.putArray("links");
         for (int i = 0; i < size(); i++) {
-            bodies.addObject().put("name", PLACES.get(i + 1)).put("mass_kg", Chain.rounded(mass[i])).put("sensor", PLACES.get(i + 1) + ".acc.z");
+            bodies.addObject().put("name", PLACES.get(i + 1)).put("mass_kg", Chain.rounded(mass[i])).put("sensor",
+                    PLACES.get(i + 1) + ".acc.z");
             Joint joint = joints.get(joint(List.of("cushion", "lumbar", "neck").get(i)));
-            links.addObject().put("from", PLACES.get(i)).put("to", PLACES.get(i + 1)).put("stiffness_N_per_m", Chain.rounded(joint.stiffness()[Z]))
+            links.addObject().put("from", PLACES.get(i)).put("to", PLACES.get(i + 1))
+                    .put("stiffness_N_per_m", Chain.rounded(joint.stiffness()[Z]))
                     .put("damping_Ns_per_m", Chain.rounded(joint.damping()[Z]));
         }
         return root;

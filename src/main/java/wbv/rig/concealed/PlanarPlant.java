@@ -42,7 +42,7 @@ final class PlanarPlant {
      * @param extension by joint and component [m, rad] @param rate of that @param force that resists it [N, N m]
      * @param state     positions [m] and pitch [rad] of the bodies against the platform, then their rates, by sample
      */
-    record Trace(double[][][] felt, double[][][] extension, double[][][] rate, double[][][] force, double[][] state) { }
+    record Trace(double[][][] felt, double[][][] extension, double[][][] rate, double[][][] force, double[][] state) {}
 
     private final PlanarPerson person;
     private final List<PlanarPerson.Joint> joints;
@@ -260,7 +260,8 @@ final class PlanarPlant {
             double turning = rate + y[n + p + 2];
             double angular = spin + rates[n + p + 2];
             double[] arm = turned(person.sensor()[i][0] - person.centre()[i][0], person.sensor()[i][1] - person.centre()[i][1], y[p + 2]);
-            double[] own = turned(ax + angular * arm[1] - turning * turning * arm[0], az - angular * arm[0] - turning * turning * arm[1], -y[p + 2]);
+            double[] own = turned(ax + angular * arm[1] - turning * turning * arm[0], az - angular * arm[0] - turning * turning * arm[1],
+                    -y[p + 2]);
             trace.felt()[i][0][s] = own[0];
             trace.felt()[i][1][s] = own[1];
             trace.felt()[i][2][s] = turning;

@@ -38,11 +38,11 @@ final class Recipes {
             case "coupling.axis" -> across(one(links(taken, Set.of("pelvis", "torso", "head"))));
             case LOSS -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0
                     && scene.chain().body("seat") == 0
-                    ? scene.chain().names().get(1) : scene.chain().names().get(0)))));
+                            ? scene.chain().names().get(1) : scene.chain().names().get(0)))));
             case "muscle.reflex" -> link(word, one(links(taken, Set.of("torso", "head"))));
             // The neck moves too little for these to show.
             case "friction.coulomb", "hysteresis", "damping.quadratic", "memory.viscoelastic" ->
-                    link(word, one(links(taken, Set.of("seat", "pelvis", "torso"))));
+                link(word, one(links(taken, Set.of("seat", "pelvis", "torso"))));
             default -> link(word, one(links(taken, Set.of("seat", "pelvis", "torso", "head"))));
         };
     }

@@ -18,11 +18,12 @@ final class RideLevels {
     private static final double[] LEVELS = {0.4, 0.9, 1.8};
     private static final double SECONDS = 40;
 
-    private RideLevels() { }
+    private RideLevels() {}
 
     static ConcealedCase make(ConcealedSpec spec) {
         Seeds seeds = new Seeds(spec.seed());
-        RideScene usual = RideScene.of(spec.setting(), OptionalDouble.of(SECONDS), seeds.of("scene")).ride(LEVELS[1], SECONDS, seeds.of("ride 1"));
+        RideScene usual = RideScene.of(spec.setting(), OptionalDouble.of(SECONDS), seeds.of("scene")).ride(LEVELS[1], SECONDS,
+                seeds.of("ride 1"));
         Imus imus = new Imus(usual, false);
         RandomGenerator random = seeds.source("omissions");
         List<OmissionSize> hidden = new ArrayList<>();
@@ -48,10 +49,12 @@ final class RideLevels {
             setup.push(scene.chain().body("torso"), stir);
             ChainPlant.Trace trace = scene.play(setup);
             Imus own = new Imus(scene, false);
-            sent.add(Concealer.recording(own.sent(setup, trace, seeds.of("sensors"), seeds.of("noise " + level)), List.of(), Imus.RATE, true));
+            sent.add(Concealer.recording(own.sent(setup, trace, seeds.of("sensors"), seeds.of("noise " + level)), List.of(), Imus.RATE,
+                    true));
             clean.add(Concealer.recording(own.clean(setup, trace), List.of(), Imus.RATE, false));
         }
-        String model = Concealer.user(usual.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), List.of()).toPrettyString() + "\n";
+        String model = Concealer.user(usual.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), List.of())
+                .toPrettyString() + "\n";
         ObjectNode key = ConcealedKey.json(spec, usual, hidden, newtons, Concealer.noise(usual, imus, stirred), Optional.empty());
         levels.forEach(level -> key.withArray("levels").add(LEVELS[level]));
         return new ConcealedCase(sent.get(0), clean.get(0), model, key.toPrettyString() + "\n", Optional.empty(),

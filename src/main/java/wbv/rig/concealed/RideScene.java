@@ -14,7 +14,7 @@ import wbv.rig.platform.Seeds;
  * @param calm  how the linear chain moves @param blind places without a sensor
  */
 record RideScene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fore, Map<String, Sway> side, ChainPlant.Trace calm,
-             List<String> blind) {
+        List<String> blind) {
 
     static final List<String> PLACES = List.of("platform", "seat", "pelvis", "sternum", "head");
 

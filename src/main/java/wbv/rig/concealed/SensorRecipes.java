@@ -26,8 +26,8 @@ final class SensorRecipes {
         return switch (word) {
             case "sensor.mount" -> {
                 double zeta = 0.15 + 0.2 * half;
-                yield fault(0.8, 6, word, "strap", a -> Map.of("frequency_hz", 30 / a, "damping_ratio", zeta), a ->
-                        Fault.strap(30 / a, zeta));
+                yield fault(0.8, 6, word, "strap", a -> Map.of("frequency_hz", 30 / a, "damping_ratio", zeta),
+                        a -> Fault.strap(30 / a, zeta));
             }
             case "sensor.misalignment" -> fault(0.01, 0.45, word, "turned about y", a -> Map.of("angle_rad", coin ? a : -a),
                     a -> Fault.turned(coin ? a : -a));
@@ -65,7 +65,7 @@ final class SensorRecipes {
     }
 
     private OmissionRecipe fault(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
-                         DoubleFunction<Fault> fault) {
+            DoubleFunction<Fault> fault) {
         return new OmissionRecipe(least, most, a -> new Omission(word, place + ".acc.z", form, parameters.apply(a),
                 setup -> setup.fault(place, fault.apply(a))));
     }

@@ -23,7 +23,7 @@ final class Setup {
     }
 
     /** A fault of the sensor at a place. */
-    record FaultAt(String place, Fault fault) { }
+    record FaultAt(String place, Fault fault) {}
 
     private final Chain chain;
     private final List<DoubleFunction<LinkPhysics>> physics = new ArrayList<>();

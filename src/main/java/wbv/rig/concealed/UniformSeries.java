@@ -9,7 +9,7 @@ final class UniformSeries {
     /** Samples per second of all that moves [Hz]. */
     static final double RATE = 960;
 
-    private UniformSeries() { }
+    private UniformSeries() {}
 
     static double rms(double[] x) {
         double sum = 0;

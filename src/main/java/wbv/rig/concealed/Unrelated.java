@@ -35,7 +35,7 @@ final class Unrelated {
     private static final double LEAST = 4;
     private static final double MOST = 60;
 
-    private Unrelated() { }
+    private Unrelated() {}
 
     static ConcealedCase make(ConcealedSpec spec) {
         Seeds seeds = new Seeds(spec.seed());
@@ -87,7 +87,8 @@ final class Unrelated {
         double[] recorded = UniformSeries.lines(length, 0.5, 15, 0, newtons, seeds.source("force"));
         Setup setup = new Setup(chain);
         setup.push(0, UniformSeries.lines(length, 0.5, 15, 0, newtons, seeds.source("other force")));
-        double[] moved = new ChainPlant(setup, UniformSeries.RATE, ChainPlant.COARSE).run(new double[length], UniformSeries.RATE).acceleration()[0];
+        double[] moved = new ChainPlant(setup, UniformSeries.RATE, ChainPlant.COARSE).run(new double[length], UniformSeries.RATE)
+                .acceleration()[0];
         int ticks = (int) (UniformSeries.RATE / rate);
         double noise = ImuErrors.TABLE_3_2.acceleration().noise() * Math.sqrt(rate / 2);
         RandomGenerator sensor = seeds.source("sensors");
@@ -126,7 +127,8 @@ final class Unrelated {
         if (!narrow) {
             return broad;
         }
-        double[] z = UniformSeries.lines(broad.shaking().length(), 0.8 * beat, 1.25 * beat, 0, UniformSeries.rms(broad.shaking().z()), seeds.source("beat"));
+        double[] z = UniformSeries.lines(broad.shaking().length(), 0.8 * beat, 1.25 * beat, 0, UniformSeries.rms(broad.shaking().z()),
+                seeds.source("beat"));
         UniformSeries.fade(z, 1);
         return broad.shaken(z);
     }

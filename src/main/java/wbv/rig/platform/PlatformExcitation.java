@@ -21,7 +21,7 @@ public sealed interface PlatformExcitation {
     record Idle() implements PlatformExcitation {
         @Override
         public PlatformCommand drive(double h, Seeds seeds) {
-            return (gain, command) -> { };
+            return (gain, command) -> {};
         }
 
         @Override
@@ -87,7 +87,7 @@ public sealed interface PlatformExcitation {
      * @param seconds time of one run [s], &gt; 0
      */
     record Sweep(Axis axis, double startFrequency, double endFrequency, double startAmplitude, double endAmplitude,
-                 double seconds) implements PlatformExcitation {
+            double seconds) implements PlatformExcitation {
 
         /** Chapter 4 of the thesis: 1 to 9 Hz while 0.1 to 2.5 m/s² on z. @param seconds time of one run [s] */
         public static Sweep chapter4(double seconds) {

@@ -5,7 +5,7 @@ import java.math.BigDecimal;
 /** Numbers as a rig's spec writes and reads them: shortest plain decimals, {@code 120} and {@code 0.35}. */
 public final class SpecNumbers {
 
-    private SpecNumbers() { }
+    private SpecNumbers() {}
 
     /** The shortest decimal that reads back as the same double, without exponent or trailing zeros. */
     public static String plain(double value) {

@@ -6,7 +6,7 @@ import java.util.List;
 /** Rows of features. */
 public final class Rows {
 
-    private Rows() { }
+    private Rows() {}
 
     /** Whether no value is missing or infinite. @param row Not modified. */
     public static boolean complete(double[] row) {

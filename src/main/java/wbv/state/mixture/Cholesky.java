@@ -6,7 +6,7 @@ final class Cholesky {
     /** A pivot below this share of its diagonal element is rounding. */
     private static final double ROUNDING = 1e-13;
 
-    private Cholesky() { }
+    private Cholesky() {}
 
     /** Place of an element of the lower triangle. */
     static int at(int i, int j) {

@@ -50,7 +50,7 @@ public record MessageLength(int fewest, int most, CovarianceShape shape, double 
     }
 
     /** What was found. @param length of the message [nats] @param sweeps through all components */
-    public record Result(Mixture mixture, double length, int sweeps) { }
+    public record Result(Mixture mixture, double length, int sweeps) {}
 
     /**
      * Fits.

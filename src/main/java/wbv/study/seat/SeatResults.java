@@ -27,10 +27,10 @@ public record SeatResults(String format, int version, boolean simulated, Map<Str
             List<Summary> at_equal_stroke, List<Rider> sitters) {}
 
     /** Mean over sitters; the greatest stroke is the greatest of all. */
-    public record Summary(String controller, String knowledge, Front.AtStroke mean) { }
+    public record Summary(String controller, String knowledge, Front.AtStroke mean) {}
 
     /** What came of it under one sitter. @param stroke_rms_m that all are given */
-    public record Rider(String sitter, double mass_kg, double stroke_rms_m, List<Front> fronts) { }
+    public record Rider(String sitter, double mass_kg, double stroke_rms_m, List<Front> fronts) {}
 
     static SeatResults of(Comparison comparison, Map<String, String> provenance) {
         Comparison.Request asked = comparison.request();

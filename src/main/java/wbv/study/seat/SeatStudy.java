@@ -27,7 +27,8 @@ public final class SeatStudy {
     }
 
     /** Runs a comparison and writes {@code seat.json}. */
-    public static SeatStudy run(Comparison.Request request, Map<String, String> provenance, OutputFolder out, DoubleConsumer progress) throws IOException {
+    public static SeatStudy run(Comparison.Request request, Map<String, String> provenance, OutputFolder out, DoubleConsumer progress)
+            throws IOException {
         Comparison comparison = Comparison.run(request, progress);
         SeatStudy study = new SeatStudy(comparison, SeatResults.of(comparison, provenance));
         ResultsJson.write(study.results, out.file("seat.json"));
@@ -56,7 +57,8 @@ public final class SeatStudy {
                 .filter(entrant -> entrant.knowledge() != Knowledge.ORACLE && first.mean(entrant).isPresent())
                 .min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow();
         double skyhook = first.mean(new Comparison.Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
-        return String.format(Locale.ROOT, "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
+        return String.format(Locale.ROOT,
+                "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
                 first.floor().word(), first.mean(best).orElseThrow().seat(), best.words(), skyhook);
     }
 
@@ -75,16 +77,19 @@ public final class SeatStudy {
             for (Comparison.Entrant entrant : comparison.entrants()) {
                 Optional<Front.AtStroke> mean = on.mean(entrant);
                 text.append(mean.isEmpty() ? String.format(Locale.ROOT, "  %-26s needs more stroke%n", entrant.words())
-                        : String.format(Locale.ROOT, "  %-26s %6.3f %6.3f %9.1f %9.1f %6.1f %6.1f%s%n", entrant.words(), mean.get().seat(), mean.get().head(),
-                        1e3 * mean.get().strokeRms(), 1e3 * mean.get().strokeMost(), mean.get().stopHits(), mean.get().power(),
-                        on.within(entrant) == on.sitters().size() ? "" : "  for " + on.within(entrant) + " of " + on.sitters().size() + " sitters"));
+                        : String.format(Locale.ROOT, "  %-26s %6.3f %6.3f %9.1f %9.1f %6.1f %6.1f%s%n", entrant.words(), mean.get().seat(),
+                                mean.get().head(),
+                                1e3 * mean.get().strokeRms(), 1e3 * mean.get().strokeMost(), mean.get().stopHits(), mean.get().power(),
+                                on.within(entrant) == on.sitters().size() ? ""
+                                        : "  for " + on.within(entrant) + " of " + on.sitters().size() + " sitters"));
             }
         }
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> text.append(gain.words(family)).append(System.lineSeparator()));
             if (family != ControllerFamily.SKYHOOK && comparison.entrants().stream().anyMatch(entrant -> entrant.family() == family)) {
                 Comparison.Beside beside = comparison.besideSkyhook(family);
-                text.append(String.format(Locale.ROOT, "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d ride%s, at most %.2f times%n",
+                text.append(String.format(Locale.ROOT,
+                        "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d ride%s, at most %.2f times%n",
                         family.word(), beside.worse(), beside.rides(), beside.rides() == 1 ? "" : "s", beside.worst()));
             }
         }

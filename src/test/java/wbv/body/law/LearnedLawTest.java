@@ -33,7 +33,8 @@ class LearnedLawTest {
             new double[] {900, 700}, new double[] {20, 40});
 
     @ParameterizedTest
-    @CsvSource({"1, 1", "r, -2", "|v|v, 9", "r^2 v, 12", "|r| sign(v), 2", "r- v, -6", "r+ v, 0", "v+^2, 9", "v-^2, 0", "r v, -6", "r^3, -8", "sign(r) |v|, -3", "|r|r |v|v, -36"})
+    @CsvSource({"1, 1", "r, -2", "|v|v, 9", "r^2 v, 12", "|r| sign(v), 2", "r- v, -6", "r+ v, 0", "v+^2, 9", "v-^2, 0", "r v, -6",
+        "r^3, -8", "sign(r) |v|, -3", "|r|r |v|v, -36"})
     void aShapeIsTheProductOfItsPowers(String text, double expected) {
         Shape shape = Shape.parse(text);
         assertEquals(expected, shape.of(-2, 3), 1e-6);
@@ -47,7 +48,8 @@ class LearnedLawTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1", "value of head.acc.x", "angle of torso.gyr.y", "lean of head.acc.x from platform.acc.x", "ride over 2.5 s", "load of link 2", "deflection of link 1", "negative part of the speed of link 3", "magnitude of the value of head.acc.x"})
+    @ValueSource(strings = {"1", "value of head.acc.x", "angle of torso.gyr.y", "lean of head.acc.x from platform.acc.x", "ride over 2.5 s",
+        "load of link 2", "deflection of link 1", "negative part of the speed of link 3", "magnitude of the value of head.acc.x"})
     void aModulatorIsReadAsItIsWritten(String text) {
         assertEquals(text, Modulator.parse(text).toString());
     }
@@ -65,8 +67,10 @@ class LearnedLawTest {
         Excitation excitation = excitation(30, 1);
         same(excitation, new QuadraticDamping(4000), new LearnedTerm(Shape.parse("|v|v"), Modulator.NONE, 4000), 1e-9);
         same(excitation, new CubicSpring(3e9), new LearnedTerm(Shape.parse("r^3"), Modulator.NONE, 3e9), 1e-9);
-        same(excitation, new StepChange(12, 0.7, 1), new LearnedCourse(Shape.DEFLECTION, LearnedCourse.Course.STEP, -0.3 * 40000, 12), 1e-3);
-        same(excitation, new BumpStop(2e5, 1e-3, Law.Side.EXTENSION), new LearnedKnee(Shape.DEFLECTION, Law.Side.EXTENSION, Modulator.NONE, 2e5, 1e-3), 1e-9);
+        same(excitation, new StepChange(12, 0.7, 1), new LearnedCourse(Shape.DEFLECTION, LearnedCourse.Course.STEP, -0.3 * 40000, 12),
+                1e-3);
+        same(excitation, new BumpStop(2e5, 1e-3, Law.Side.EXTENSION),
+                new LearnedKnee(Shape.DEFLECTION, Law.Side.EXTENSION, Modulator.NONE, 2e5, 1e-3), 1e-9);
         // A spring and a dashpot in series remember the velocity.
         same(excitation, new MaxwellArm(20000, 0.05), new LearnedMemory(Shape.SPEED, Shape.ONE, Modulator.NONE, 20000 * 0.05, 0.05), 2e-3);
     }
@@ -108,7 +112,8 @@ class LearnedLawTest {
         double[] measured = new double[(int) (60 * RATE)];
         java.util.Arrays.setAll(measured, i -> 0.07 * 2 * Math.PI * 0.7 * Math.cos(2 * Math.PI * 0.7 * i / RATE) + 0.01);
         Excitation excitation = new Excitation(RATE, base(60, 1), Map.of(rate, measured));
-        double[] angle = new ModulatorSeries(excitation, new Assembly(CHAIN, List.of(), List.of(), List.of())).of(new Modulator.Angle(rate));
+        double[] angle = new ModulatorSeries(excitation, new Assembly(CHAIN, List.of(), List.of(), List.of()))
+                .of(new Modulator.Angle(rate));
         int fine = (int) Math.round(1 / (RATE * excitation.fineStep()));
         for (int i = (int) (20 * RATE * fine); i < 40 * RATE * fine; i += 7) {
             assertEquals(0.07 * Math.sin(2 * Math.PI * 0.7 * i / RATE / fine), angle[i], 0.004);
@@ -119,7 +124,9 @@ class LearnedLawTest {
     void aLoadIsThatOfTheMotionThatItMakes() {
         Excitation excitation = excitation(20, 1);
         // The load of the upper link, as a force in the lower one: linear, so that the chain's own equations say what must come out.
-        Assembly assembly = new Assembly(CHAIN, List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.OtherLink(Modulator.Of.LOAD, 1), 0.05))), List.of(), List.of());
+        Assembly assembly = new Assembly(CHAIN,
+                List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.OtherLink(Modulator.Of.LOAD, 1), 0.05))), List.of(),
+                List.of());
         Simulator.Response response = new Simulator(excitation).run(assembly, false);
         double[] stretch = response.stretch()[1];
         double[] load = Spectra.timesJOmega(excitation.omega(), stretch);
@@ -135,9 +142,11 @@ class LearnedLawTest {
         double[] at = {-0.05, -0.03, -0.02, -0.015, -0.01, -0.004, 0, 0.005, 0.01, 0.02, 0.025, 0.03, 0.05};
         double[] forces = {-9, -9, -4, -2.5, -1, -0.4, 0, 1, 2, 6, 9, 12, 12};
         for (int i = 0; i < at.length; i++) {
-            assertEquals(forces[i], table.series(new double[] {at[i], at[i]}, new double[2], 0, 0, 1e-3, new double[0])[1], 1e-9, "at " + at[i]);
+            assertEquals(forces[i], table.series(new double[] {at[i], at[i]}, new double[2], 0, 0, 1e-3, new double[0])[1], 1e-9,
+                    "at " + at[i]);
         }
-        same(excitation(20, 1), new LearnedTerm(Shape.DEFLECTION, Modulator.NONE, 3000), new LearnedTable(Shape.DEFLECTION, 0.1, -900, -600, -300, 300, 600, 900), 1e-9);
+        same(excitation(20, 1), new LearnedTerm(Shape.DEFLECTION, Modulator.NONE, 3000),
+                new LearnedTable(Shape.DEFLECTION, 0.1, -900, -600, -300, 300, 600, 900), 1e-9);
     }
 
     @Test
@@ -145,15 +154,21 @@ class LearnedLawTest {
         Channel head = Channel.parse("head.acc.x");
         Channel platform = Channel.parse("platform.acc.x");
         List<Law> laws = List.of(new LearnedTerm(Shape.parse("r^2 v"), new Modulator.Lean(head, platform), -12.5),
-                new LearnedKnee(Shape.SPEED, Law.Side.COMPRESSION, Modulator.NONE, 300, 0.02), new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION,
-                        new Modulator.Ride(2.5), -2e5, 4), new LearnedInertance(1.5), new LearnedLimited(Shape.DEFLECTION, new Modulator.Angle(Channel.parse("head.gyr.y")), 4e4, 0.1), new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
+                new LearnedKnee(Shape.SPEED, Law.Side.COMPRESSION, Modulator.NONE, 300, 0.02),
+                new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION,
+                        new Modulator.Ride(2.5), -2e5, 4),
+                new LearnedInertance(1.5), new LearnedLimited(Shape.DEFLECTION, new Modulator.Angle(Channel.parse("head.gyr.y")), 4e4, 0.1),
+                new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
                 new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTable(Shape.SPEED, 0.05, -30, -10, -2, 3, 12, 40),
-                new LearnedTerm(Shape.parse("sign(v)"), new Modulator.PartOf(Modulator.Part.NEGATIVE, new Modulator.OtherLink(Modulator.Of.LOAD, 1)), 0.3));
+                new LearnedTerm(Shape.parse("sign(v)"),
+                        new Modulator.PartOf(Modulator.Part.NEGATIVE, new Modulator.OtherLink(Modulator.Of.LOAD, 1)), 0.3));
         Model model = model(laws);
         assertEquals(model, ModelFile.parse(ModelFile.text(model), "model.json"));
         String wrong = ModelFile.text(model).replace("r^2 v", "r^2 w");
-        assertTrue(assertThrows(DataFault.class, () -> ModelFile.parse(wrong, "model.json")).getMessage().contains("laws[0]: 'r^2 w' is no shape of a law"));
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> model(List.of(new LearnedTerm(Shape.DEFLECTION, new Modulator.OtherLink(Modulator.Of.LOAD, 7), 1))))
+        assertTrue(assertThrows(DataFault.class, () -> ModelFile.parse(wrong, "model.json")).getMessage()
+                .contains("laws[0]: 'r^2 w' is no shape of a law"));
+        assertTrue(assertThrows(IllegalArgumentException.class,
+                () -> model(List.of(new LearnedTerm(Shape.DEFLECTION, new Modulator.OtherLink(Modulator.Of.LOAD, 7), 1))))
                 .getMessage().contains("load of link 8; there are 2 links"));
     }
 
@@ -171,7 +186,8 @@ class LearnedLawTest {
     }
 
     private static double[] stretch(Excitation excitation, Structure structure, Law law) {
-        return new Simulator(excitation).run(new Assembly(structure, List.of(new LawAt(structure.links() - 1, law)), List.of(), List.of()), false)
+        return new Simulator(excitation)
+                .run(new Assembly(structure, List.of(new LawAt(structure.links() - 1, law)), List.of(), List.of()), false)
                 .stretch()[structure.links() - 1];
     }
 

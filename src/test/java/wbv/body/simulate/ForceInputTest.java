@@ -94,7 +94,7 @@ class ForceInputTest {
         Model motor = new Model("motor", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 List.of(new Model.Body("rotor", 0.1, Optional.of(speed), List.of(), Optional.empty(), List.of())),
                 List.of(new Model.Link("ground", "rotor", 0, 0.5, Optional.empty(), List.of(), List.of())),
-                        List.of(new Model.Input("rotor", FORCE)));
+                List.of(new Model.Input("rotor", FORCE)));
         double[] u = new double[N];
         java.util.Arrays.fill(u, 1.5);
         assertEquals(3, run(motor, u)[N - 400], 3e-3);
@@ -126,9 +126,9 @@ class ForceInputTest {
         Model driven = new Model("damper", Optional.of("assumed"), 'z',
                 new Model.Base("table", Optional.of(Channel.parse("table.pos.z"))),
                 List.of(Model.Body.fixed("frame")),
-                        List.of(new Model.Link("table", "frame", 10, 20, Optional.of(Channel.parse("damper.force.z")),
+                List.of(new Model.Link("table", "frame", 10, 20, Optional.of(Channel.parse("damper.force.z")),
                         List.of(new EngagingFriction(900, 700, 0.004, 2.5)),
-                                List.of(new Drive.Given(Channel.parse("other.force.z"), 0.5)),
+                        List.of(new Drive.Given(Channel.parse("other.force.z"), 0.5)),
                         List.of(new SensorFault.Bias(2)))));
         assertEquals(driven, ModelFile.parse(ModelFile.text(driven), "driven"));
     }
@@ -144,7 +144,7 @@ class ForceInputTest {
         String text = "{\"name\": \"n\", \"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.pos.z\"}], \"links\": "
                 + "[{\"from\": \"ground\","
                 + " \"to\": \"mass\", \"stiffness_N_per_m\": 1, \"damping_Ns_per_m\": 1}], \"base\": {\"name\": \"ground\", "
-                        + parts[0] + "}";
+                + parts[0] + "}";
         DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(text, "m.json"));
         assertTrue(fault.getMessage().contains(parts[1]), fault.getMessage());
     }
@@ -159,7 +159,7 @@ class ForceInputTest {
         return new Model("oscillator", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 List.of(new Model.Body("mass", m, Optional.of(POSITION), List.of(), Optional.empty(), List.of())),
                 List.of(new Model.Link("ground", "mass", k, c, Optional.empty(), laws, List.of())),
-                        List.of(new Model.Input("mass", FORCE)));
+                List.of(new Model.Input("mass", FORCE)));
     }
 
     private static double[] seat(String quantity, double[] base) {

@@ -165,7 +165,7 @@ class FreeBodyTest {
     }
 
     private static double[] run(double rate, double stiffness, double damping, List<Law> laws, String read, DoubleUnaryOperator force,
-                                List<Drive> start) {
+            List<Drive> start) {
         Model model = model(stiffness, damping, laws, read, start);
         double[] u = series(rate, force);
         Recording recording = new Recording(new Clock(0, rate), Map.of(FORCE, u), Metadata.NONE);
@@ -186,7 +186,8 @@ class FreeBodyTest {
 
     private static Model model(double stiffness, double damping, List<Law> laws, String read, List<Drive> start) {
         Channel sensor = new Channel("mass", Quantity.ofSymbol(read).orElseThrow(), 'z');
-        return new Model("slider", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()), List.of(body("mass", MASS, sensor, start)),
+        return new Model("slider", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
+                List.of(body("mass", MASS, sensor, start)),
                 List.of(new Model.Link("ground", "mass", stiffness, damping, Optional.empty(), laws, List.of())),
                 List.of(new Model.Input("mass", FORCE)));
     }

@@ -16,7 +16,8 @@ import wbv.body.law.LawAt;
 class FreeRunInPartsTest {
 
     private static final double STEP = 1 / 400.0;
-    private static final Structure SLIDE = new Structure(new int[] {-1}, new int[] {0}, new double[] {0}, new double[] {15}, new double[] {12});
+    private static final Structure SLIDE = new Structure(new int[] {-1}, new int[] {0}, new double[] {0}, new double[] {15},
+            new double[] {12});
 
     /** Momentum: what the push gives and friction takes leaves the mass with, in the sum, nothing, wherever in a step it turned round. */
     @Test
@@ -24,7 +25,8 @@ class FreeRunInPartsTest {
         double[] push = push(1);
         double[] force = run(SLIDE, new CoulombFriction(20, 1e-6), push).force()[0];
         double[] often = oversampled(push, 64);
-        double[] fine = new FreeRun(SLIDE, List.of(new LawAt(0, new CoulombFriction(20, 1e-6))), STEP / 64, false).run(new double[often.length], new double[][] {often}, false).force()[0];
+        double[] fine = new FreeRun(SLIDE, List.of(new LawAt(0, new CoulombFriction(20, 1e-6))), STEP / 64, false)
+                .run(new double[often.length], new double[][] {often}, false).force()[0];
         double gone = 0;
         double square = 0;
         for (int j = 0; j + 1 < push.length; j++) {
@@ -42,7 +44,8 @@ class FreeRunInPartsTest {
     void slopesAreThoseOfTheRunInParts() {
         double[] push = push(2);
         CoulombFriction law = new CoulombFriction(20, 1e-2);
-        FreeRun.Run run = FreeRun.inParts(SLIDE, List.of(new LawAt(0, law)), STEP, Sensitivities.ALL, new double[1][0]).run(new double[push.length], new double[][] {push}, true);
+        FreeRun.Run run = FreeRun.inParts(SLIDE, List.of(new LawAt(0, law)), STEP, Sensitivities.ALL, new double[1][0])
+                .run(new double[push.length], new double[][] {push}, true);
         double[] values = SLIDE.values();
         for (int p : new int[] {1, 2, 3}) {   // damping, mass, friction
             double h = p == 3 ? 1e-4 : 1e-5 * values[p];
@@ -67,7 +70,8 @@ class FreeRunInPartsTest {
     }
 
     private static FreeRun.Run run(Structure structure, Law law, double[] push) {
-        return FreeRun.inParts(structure, List.of(new LawAt(0, law)), STEP, Sensitivities.NONE, new double[1][0]).run(new double[push.length], new double[][] {push}, false);
+        return FreeRun.inParts(structure, List.of(new LawAt(0, law)), STEP, Sensitivities.NONE, new double[1][0])
+                .run(new double[push.length], new double[][] {push}, false);
     }
 
     private static double[] push(long seed) {

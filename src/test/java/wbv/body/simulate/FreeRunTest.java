@@ -57,8 +57,10 @@ class FreeRunTest {
                 new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5), new StepChange(1.2, 0.5, 0.7),
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
                 new LearnedTerm(Shape.parse("|v|v"), Modulator.NONE, 8000), new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 2e9),
-                new LearnedTerm(Shape.parse("|r| sign(v)"), Modulator.NONE, 3e4), new LearnedTerm(Shape.parse("v+^2"), Modulator.NONE, 9000),
-                new LearnedLimited(Shape.DEFLECTION, Modulator.NONE, -20000, 0.7), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
+                new LearnedTerm(Shape.parse("|r| sign(v)"), Modulator.NONE, 3e4),
+                new LearnedTerm(Shape.parse("v+^2"), Modulator.NONE, 9000),
+                new LearnedLimited(Shape.DEFLECTION, Modulator.NONE, -20000, 0.7),
+                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
                 new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.05),
                 new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION, Modulator.NONE, -2e7, 0.5), new LearnedInertance(3));
     }
@@ -104,9 +106,11 @@ class FreeRunTest {
             double[] values = loose.values();
             double h = 1e-5 * values[p];
             values[p] += h;
-            double[] high = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false).force()[0];
+            double[] high = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false)
+                    .force()[0];
             values[p] -= 2 * h;
-            double[] low = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false).force()[0];
+            double[] low = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false)
+                    .force()[0];
             double error = 0;
             double size = 0;
             for (int j = 0; j < base.length; j++) {
@@ -121,8 +125,10 @@ class FreeRunTest {
     @ParameterizedTest
     @MethodSource("laws")
     void halvingTheStepChangesLittle(Law law) {
-        double[] coarse = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 480.0, false).run(excitation(960), new double[0][], false).force()[0];
-        double[] fine = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 1920.0, false).run(upsampled(excitation(960), 4), new double[0][], false).force()[0];
+        double[] coarse = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 480.0, false).run(excitation(960), new double[0][], false)
+                .force()[0];
+        double[] fine = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 1920.0, false)
+                .run(upsampled(excitation(960), 4), new double[0][], false).force()[0];
         double error = 0;
         double size = 0;
         for (int j = 0; j < 960; j++) {

@@ -18,16 +18,19 @@ class ModalStepTest {
 
     static Stream<Structure> structures() {
         return Stream.of(
-                new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2}, new double[] {90000, 75000, 30000}, new double[] {1300, 1500, 220}, new double[] {12, 45, 5.5}),
+                new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2}, new double[] {90000, 75000, 30000}, new double[] {1300, 1500, 220},
+                        new double[] {12, 45, 5.5}),
                 // A head that nothing holds: two modes at zero, with one direction between them, so that the states stay as they are.
-                new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2}, new double[] {90000, 75000, 0}, new double[] {1300, 1500, 0}, new double[] {12, 45, 5.5}));
+                new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2}, new double[] {90000, 75000, 0}, new double[] {1300, 1500, 0},
+                        new double[] {12, 45, 5.5}));
     }
 
     @ParameterizedTest
     @MethodSource("structures")
     void itIsTheStepOfTheStates(Structure structure) {
         double omega = structure.balance();
-        ExactHold hold = ExactHold.of(structure.stateMatrix(omega), structure.inputMatrix(), STEP, new DMatrixRMaj[0], new DMatrixRMaj[0])[0];
+        ExactHold hold = ExactHold.of(structure.stateMatrix(omega), structure.inputMatrix(), STEP, new DMatrixRMaj[0],
+                new DMatrixRMaj[0])[0];
         ModalStep step = new ModalStep(structure, ModalBasis.of(structure.stateMatrix(omega)), hold, new int[] {1, 2});
         Random random = new Random(5);
         int steps = 40;
@@ -63,7 +66,8 @@ class ModalStepTest {
     }
 
     /** x(h) = E x + B0 u(0) + B1 u(h). */
-    private static DMatrixRMaj stepped(Structure structure, ExactHold hold, DMatrixRMaj states, double[][] base, double[][] known, double[][] forces, int j) {
+    private static DMatrixRMaj stepped(Structure structure, ExactHold hold, DMatrixRMaj states, double[][] base, double[][] known,
+            double[][] forces, int j) {
         DMatrixRMaj out = new DMatrixRMaj(6, 1);
         CommonOps_DDRM.mult(hold.transition, states, out);
         CommonOps_DDRM.multAdd(hold.before, inputs(structure, base, known, forces, j), out);

@@ -56,7 +56,9 @@ class SimulatorTest {
         double[] expected = {1.129444, 1.458062, 1.279637};
         for (int i = 0; i < 3; i++) {
             int k = (int) Math.round(frequency[i] * 2 * Math.PI / excitation.omega()[1]);
-            assertEquals(expected[i], Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.baseSpectrum()[2 * k], excitation.baseSpectrum()[2 * k + 1]), 1e-6);
+            assertEquals(expected[i],
+                    Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.baseSpectrum()[2 * k], excitation.baseSpectrum()[2 * k + 1]),
+                    1e-6);
         }
     }
 
@@ -70,24 +72,31 @@ class SimulatorTest {
                 new Assembly(CHAIN, List.of(new LawAt(1, new SaturatingSpring(1e-3))),
                         List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1))), List.of(torso, head)),
                 new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
-                        new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
+                        new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)),
+                        new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
                         List.of(torso, head)),
-                new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(1, new Drive.UpperSwings(ACROSS, RATE, BESIDE, 3000, 3, 0.3, 0.8)),
-                        new Assembly.DriveAt(2, new Drive.LowerSwings(ACROSS, RATE, BESIDE, -2000, 1.5, 0.6, 0.4))), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(),
+                        List.of(new Assembly.DriveAt(1, new Drive.UpperSwings(ACROSS, RATE, BESIDE, 3000, 3, 0.3, 0.8)),
+                                new Assembly.DriveAt(2, new Drive.LowerSwings(ACROSS, RATE, BESIDE, -2000, 1.5, 0.6, 0.4))),
+                        List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new ProgressiveSpring(60000, 1e-3))), List.of(
-                        new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)), new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
+                        new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)),
+                        new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
                         List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new BoucWen(0.4, 8e-4)), new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head)),
-                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)),
+                faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
-                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.Turned(ACROSS, 0.1)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
+                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.Turned(ACROSS, 0.1)),
+                faulty(new SensorFault.LeverArm(RATE, 0.04)),
                 new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
                         new Assembly.Output(2, Assembly.Reading.VELOCITY, List.of()))));
     }
 
     private static Assembly faulty(SensorFault fault) {
-        return new Assembly(CHAIN, List.of(), List.of(), List.of(output(1), new Assembly.Output(2, Assembly.Reading.ACCELERATION, List.of(fault))));
+        return new Assembly(CHAIN, List.of(), List.of(),
+                List.of(output(1), new Assembly.Output(2, Assembly.Reading.ACCELERATION, List.of(fault))));
     }
 
     private static Assembly.Output output(int body) {
@@ -116,7 +125,8 @@ class SimulatorTest {
                     error += Math.pow(slope - response.slopes()[p][o][i], 2);
                     size += slope * slope;
                 }
-                boolean threshold = assembly.outputs().stream().flatMap(x -> x.faults().stream()).anyMatch(f -> f instanceof SensorFault.Clipping);
+                boolean threshold = assembly.outputs().stream().flatMap(x -> x.faults().stream())
+                        .anyMatch(f -> f instanceof SensorFault.Clipping);
                 assertTrue(Math.sqrt(error) <= (threshold ? 1e-2 : 1e-5) * Math.sqrt(size) + 1e-8,
                         assembly + " parameter " + p + " output " + o + ": " + Math.sqrt(error / size) + " of " + Math.sqrt(size));
             }
@@ -204,14 +214,17 @@ class SimulatorTest {
         double height = 0.8;
         double own = 2 * Math.PI * 3;
         DoubleUnaryOperator envelope = t -> Math.exp(-Math.pow((t - 6) / 1.5, 2));
-        DoubleUnaryOperator push = t -> envelope.applyAsDouble(t) * (Math.sin(2 * Math.PI * 2.2 * t) + 0.7 * Math.cos(2 * Math.PI * 4.1 * t));
+        DoubleUnaryOperator push = t -> envelope.applyAsDouble(t)
+                * (Math.sin(2 * Math.PI * 2.2 * t) + 0.7 * Math.cos(2 * Math.PI * 4.1 * t));
         DoubleUnaryOperator angle = t -> 0.05 * envelope.applyAsDouble(t) * Math.sin(2 * Math.PI * 2.9 * t + 1);
         double d = 1e-3;
         DoubleUnaryOperator turning = t -> (angle.applyAsDouble(t + d) - angle.applyAsDouble(t - d)) / (2 * d);
         DoubleUnaryOperator spin = t -> (angle.applyAsDouble(t + d) - 2 * angle.applyAsDouble(t) + angle.applyAsDouble(t - d)) / (d * d);
         int n = (int) (12 * rate);
-        Excitation excitation = new Excitation(rate, new double[n], Map.of(ACROSS, sampled(push, n, rate), RATE, sampled(turning, n, rate)));
-        double[] got = excitation.series(Swing.of(new Drive.UpperSwings(ACROSS, RATE, ACROSS, 1, 3, 0.3, height), excitation.omega(), excitation.other(ACROSS), excitation.other(RATE)));
+        Excitation excitation = new Excitation(rate, new double[n],
+                Map.of(ACROSS, sampled(push, n, rate), RATE, sampled(turning, n, rate)));
+        double[] got = excitation.series(Swing.of(new Drive.UpperSwings(ACROSS, RATE, ACROSS, 1, 3, 0.3, height), excitation.omega(),
+                excitation.other(ACROSS), excitation.other(RATE)));
         double[] state = {0, 0};
         int parts = 16;
         double h = 1 / rate / parts;
@@ -236,7 +249,8 @@ class SimulatorTest {
         assertEquals(0, apart / size, 1e-4);
     }
 
-    private static double[] swung(double[] state, double step, double[] slope, double t, DoubleUnaryOperator push, DoubleUnaryOperator spin, double height, double own) {
+    private static double[] swung(double[] state, double step, double[] slope, double t, DoubleUnaryOperator push, DoubleUnaryOperator spin,
+            double height, double own) {
         double u = state[0] + step * slope[0];
         double v = state[1] + step * slope[1];
         return new double[] {v, -(push.applyAsDouble(t) + height * spin.applyAsDouble(t)) - 0.6 * own * v - own * own * u};
@@ -256,10 +270,14 @@ class SimulatorTest {
         }
         Excitation excitation = new Excitation(60, new double[900], Map.of(ACROSS, across));
         double[] pushed = excitation.other(ACROSS);
-        double[][] onBody = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossBody(ACROSS, 7))),
-                List.of(output(0))), false).outputs();
-        double[][] inLink = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossLink(ACROSS, 7))),
-                List.of(output(0))), false).outputs();
+        double[][] onBody = new Simulator(excitation)
+                .run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossBody(ACROSS, 7))),
+                        List.of(output(0))), false)
+                .outputs();
+        double[][] inLink = new Simulator(excitation)
+                .run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossLink(ACROSS, 7))),
+                        List.of(output(0))), false)
+                .outputs();
         for (int k = 1; k < excitation.omega().length; k += 7) {
             double w = excitation.omega()[k];
             double re = 60000 - 50 * w * w;
@@ -282,8 +300,10 @@ class SimulatorTest {
         Simulator simulator = new Simulator(excitation(60, 1800));
         List<Assembly.Output> outputs = List.of(output(1), output(2));
         double[][] spectral = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law)), List.of(), outputs), false).outputs();
-        double[][] stepped = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Backlash(0))), List.of(), outputs),
-                false).outputs();
+        double[][] stepped = simulator
+                .run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Backlash(0))), List.of(), outputs),
+                        false)
+                .outputs();
         for (int o = 0; o < 2; o++) {
             double error = 0;
             double size = 0;
@@ -335,7 +355,8 @@ class SimulatorTest {
             Assembly assembly = new Assembly(one, List.of(new LawAt(0, law)), List.of(), List.of(output(0)));
             Simulator simulator = new Simulator(excitation);
             double[] stretch = excitation.series(simulator.run(assembly, false).stretch()[0]);
-            double amplitude = Math.sqrt(2) * Math.sqrt(java.util.Arrays.stream(stretch, 1200, 3000).map(r -> r * r).average().orElseThrow());
+            double amplitude = Math.sqrt(2)
+                    * Math.sqrt(java.util.Arrays.stream(stretch, 1200, 3000).map(r -> r * r).average().orElseThrow());
             Assembly equivalent = simulator.equivalent(assembly);
             assertTrue(equivalent.laws().isEmpty());
             boolean cubic = law instanceof CubicSpring;

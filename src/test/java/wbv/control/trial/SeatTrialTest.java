@@ -116,7 +116,7 @@ class SeatTrialTest {
     void theActuatorIsBetterThanTheSkyhookAtEqualStroke() {
         Comparison comparison = Comparison.run(new Comparison.Request(SEAT, List.of(EarthMover.EM3), List.of(Sitters.ofMass(80)),
                 List.of(ControllerFamily.ACTIVE), 0, 4, 10, 5),
-                share -> { });
+                share -> {});
         Comparison.OnSitter sitter = comparison.floors().get(0).sitters().get(0);
         Front.AtStroke skyhook = sitter.at(new Comparison.Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow();
         Front.AtStroke active = sitter.at(new Comparison.Entrant(ControllerFamily.ACTIVE, Knowledge.SCHEDULED)).orElseThrow();
@@ -131,13 +131,14 @@ class SeatTrialTest {
     @Test
     void moreDelayMakesNoSong() {
         Maker maker = new Maker(SEAT, EarthMover.EM3, 1);
-        SeatTrial late = new SeatTrial(SEAT, new Ride(Sitters.ofMass(55), EarthMover.EM3, 4, 10, 2).with(new Faults(0, Optional.empty(), 0.010, Optional.empty())));
+        SeatTrial late = new SeatTrial(SEAT,
+                new Ride(Sitters.ofMass(55), EarthMover.EM3, 4, 10, 2).with(new Faults(0, Optional.empty(), 0.010, Optional.empty())));
         assertTrue(late.run(maker, ControllerFamily.ACTIVE, Knowledge.SCHEDULED, 0.4).seat() < 1);
     }
 
     @Tag("slow")
     @Test
     void noFaultMakesASeatUnstable() {
-        Endurance.run(SEAT, 200, 1000, share -> { }).cases().forEach((fault, one) -> assertEquals(0, one.unstable(), fault));
+        Endurance.run(SEAT, 200, 1000, share -> {}).cases().forEach((fault, one) -> assertEquals(0, one.unstable(), fault));
     }
 }

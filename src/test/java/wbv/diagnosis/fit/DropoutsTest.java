@@ -59,8 +59,8 @@ class DropoutsTest {
 
     @Test
     void whatIsRoundedRepeatsWithoutLosingAnything() {
-        assertEquals(0, of(ONE, 0.5, x -> { }).found());
-        assertEquals(0, of(THREE, 0.5, x -> { }).found());
+        assertEquals(0, of(ONE, 0.5, x -> {}).found());
+        assertEquals(0, of(THREE, 0.5, x -> {}).found());
     }
 
     @Test
@@ -80,7 +80,8 @@ class DropoutsTest {
         Random random = new Random(3);
         Map<Channel, double[]> values = new LinkedHashMap<>();
         for (String name : channels) {
-            double[] x = random.doubles(N, -1, 1).map(v -> v + random.nextGaussian()).map(v -> step > 0 ? step * Math.round(v / step) : v).toArray();
+            double[] x = random.doubles(N, -1, 1).map(v -> v + random.nextGaussian()).map(v -> step > 0 ? step * Math.round(v / step) : v)
+                    .toArray();
             change.accept(x);
             values.put(Channel.parse(name), x);
         }

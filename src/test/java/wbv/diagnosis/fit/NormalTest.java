@@ -14,7 +14,8 @@ class NormalTest {
 
     @Test
     void carriedOverIsAsGoodAsNew() throws Exception {
-        Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")), new RecordingFile(CASE.resolve("recording.csv.gz")).load());
+        Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")),
+                new RecordingFile(CASE.resolve("recording.csv.gz")).load());
         Fitter fitter = new Fitter(evidence);
         Candidate candidate = Baseline.of(evidence);
         double[] x = candidate.start();

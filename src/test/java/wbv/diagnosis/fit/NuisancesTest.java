@@ -34,7 +34,7 @@ class NuisancesTest {
     }
 
     private static Fitter.State fitted(Evidence evidence) {
-        return new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence));
+        return new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
     }
 
     /** At 20 Hz 4 ms turn a phase by 29 degrees: to first order a sixth of the amplitude would be left unexplained. */
@@ -43,8 +43,9 @@ class NuisancesTest {
         Recording plain = recording();
         Channel head = Channel.parse("head.acc.z");
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        plain.channels().forEach(channel -> values.put(channel, channel.equals(head) ? late(plain.values(channel), 0.004 * plain.clock().rate())
-                : plain.values(channel)));
+        plain.channels()
+                .forEach(channel -> values.put(channel, channel.equals(head) ? late(plain.values(channel), 0.004 * plain.clock().rate())
+                        : plain.values(channel)));
         Evidence before = new Evidence(model(), plain);
         Evidence after = new Evidence(model(), new Recording(plain.clock(), values, plain.metadata()));
         Fitter.State without = fitted(before);
@@ -92,7 +93,9 @@ class NuisancesTest {
     void aTurnedSensorThatIsLateIsLateOnce() throws Exception {
         double angle = 0.4;
         Model turned = ModelFile.parse(Files.readString(CASE.resolve("model.json")).replace("\"sensor\": \"head.acc.z\"",
-                "\"sensor\": \"head.acc.z\", \"faults\": [{\"fault\": \"sensor.misalignment\", \"across\": \"head.acc.x\", \"angle_rad\": " + angle + "}]"), "turned");
+                "\"sensor\": \"head.acc.z\", \"faults\": [{\"fault\": \"sensor.misalignment\", \"across\": \"head.acc.x\", \"angle_rad\": "
+                        + angle + "}]"),
+                "turned");
         double[] left = new double[2];
         for (int i = 0; i < 2; i++) {
             Recording plain = recording();

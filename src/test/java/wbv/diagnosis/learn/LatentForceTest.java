@@ -23,7 +23,9 @@ class LatentForceTest {
         boolean[] counted = new boolean[samples];
         Arrays.fill(counted, true);
         counted[samples / 2] = false;
-        Assembly bare = new Assembly(new Structure(new int[] {-1}, new int[] {0}, new double[] {1e4}, new double[] {1e2}, new double[] {10}), List.of(), List.of(), List.of());
+        Assembly bare = new Assembly(
+                new Structure(new int[] {-1}, new int[] {0}, new double[] {1e4}, new double[] {1e2}, new double[] {10}), List.of(),
+                List.of(), List.of());
         double[] none = new double[2 * whole.omega().length];
         LatentForce force = new LatentForce(whole, counted, bare, new LatentForce.Estimate(none, none, none, none, new double[0], 1, 1));
         assertEquals(share, IntStream.range(0, samples).filter(force::known).count() / (double) samples, 5e-3);

@@ -70,7 +70,7 @@ public class LawLearnerTest {
     void theTermThatWasPutInIsLearned(Learned law) {
         Recording recording = recording(law);
         Evidence evidence = new Evidence(model(List.of()), recording);
-        Search search = new Search(evidence, (step, share) -> { });
+        Search search = new Search(evidence, (step, share) -> {});
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
@@ -87,7 +87,8 @@ public class LawLearnerTest {
     @Tag("slow")
     @Test
     void whereTheLibraryHasNothingTheLawIsTheAnswer() {
-        Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedWave(Shape.DEFLECTION, 9000, 14000, 0.23)), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedWave(Shape.DEFLECTION, 9000, 14000, 0.23)),
+                (step, share) -> {});
         assertEquals(Diagnosis.Verdict.LEARNED_LAW, diagnosis.verdict(), diagnosis.sentence());
         assertEquals(Learned.MECHANISM, diagnosis.missing().get(0).mechanism());
         assertEquals("platform-torso", diagnosis.missing().get(0).where());
@@ -96,14 +97,16 @@ public class LawLearnerTest {
         // What is written simulates.
         Model written = ModelFile.parse(ModelFile.text(diagnosis.model()), "model.json");
         assertEquals(diagnosis.learned().orElseThrow().terms(), written.links().get(0).laws());
-        assertTrue(diagnosis.missing().get(0).intervals().keySet().stream().allMatch(key -> key.contains("of r × wave")), "" + diagnosis.missing());
+        assertTrue(diagnosis.missing().get(0).intervals().keySet().stream().allMatch(key -> key.contains("of r × wave")),
+                "" + diagnosis.missing());
     }
 
     /** The library has damping that grows with speed, which looks like damping that grows with deflection and leaves much of it. */
     @Tag("slow")
     @Test
     void aNameThatLeavesMuchGivesWayToALaw() {
-        Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)),
+                (step, share) -> {});
         assertEquals(Diagnosis.Verdict.LEARNED_LAW, diagnosis.verdict(), diagnosis.sentence());
         assertTrue(diagnosis.learned().orElseThrow().formula().endsWith("r^2 v"), diagnosis.sentence());
         // What it was taken for at first is a rival, no likelier than what is left.
@@ -117,9 +120,10 @@ public class LawLearnerTest {
     @Tag("slow")
     @Test
     void whatANamedLawLeavesIsLearnedBesideIt() {
-        Recording recording = recording(List.of(new CubicSpring(2e9), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03)));
+        Recording recording = recording(
+                List.of(new CubicSpring(2e9), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03)));
         Evidence evidence = new Evidence(model(List.of()), recording);
-        Search search = new Search(evidence, (step, share) -> { });
+        Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
         assertTrue(LawLearner.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
@@ -127,10 +131,11 @@ public class LawLearnerTest {
         LawLearner.Sentence best = learner.law(learner.sentences(), Chosen.single(named)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         assertEquals(1, best.terms().size(), found);
-        List<LearnedKnee> knees = best.fit().candidate().at(best.fit().x()).laws().stream().map(LawAt::law).filter(LearnedKnee.class::isInstance).map(LearnedKnee.class::cast).toList();
+        List<LearnedKnee> knees = best.fit().candidate().at(best.fit().x()).laws().stream().map(LawAt::law)
+                .filter(LearnedKnee.class::isInstance).map(LearnedKnee.class::cast).toList();
         assertEquals(0.03, knees.get(0).knee(), 0.001, found);
         assertEquals(700, knees.get(0).coefficient(), 20, found);
-assertTrue(named.reduced() > 20 && best.fit().reduced() < 1.1, named.reduced() + " before, left " + best.fit().reduced());
+        assertTrue(named.reduced() > 20 && best.fit().reduced() < 1.1, named.reduced() + " before, left " + best.fit().reduced());
         assertEquals("stiffness.hardening", best.fit().candidate().added().get(0).mechanism());
     }
 
@@ -139,7 +144,7 @@ assertTrue(named.reduced() > 20 && best.fit().reduced() < 1.1, named.reduced() +
     void whatHasNoFormulaIsTabled() {
         LearnedTable law = new LearnedTable(Shape.DEFLECTION, 2e-3, -60, 25, -50, 55, -20, 70);
         Evidence evidence = new Evidence(model(List.of()), recording(law));
-        Search search = new Search(evidence, (step, share) -> { });
+        Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         LawLearner learner = new LawLearner(evidence, search, base, List.of());
         LawLearner.Sentence best = learner.law(learner.tables(), Chosen.single(base)).orElseThrow();

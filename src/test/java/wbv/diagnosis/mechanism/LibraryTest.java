@@ -44,7 +44,8 @@ class LibraryTest {
     }
 
     private static Stream<Class<?>> kinds(Class<?> family) {
-        return Arrays.stream(family.getPermittedSubclasses()).flatMap(type -> type.isRecord() || type == Learned.class ? Stream.of(type) : kinds(type));
+        return Arrays.stream(family.getPermittedSubclasses())
+                .flatMap(type -> type.isRecord() || type == Learned.class ? Stream.of(type) : kinds(type));
     }
 
     /** The word of a law, drive or fault with some numbers. */
@@ -56,12 +57,15 @@ class LibraryTest {
         Object[] some = new Object[components.length];
         for (int i = 0; i < some.length; i++) {
             Class<?> type = components[i].getType();
-            some[i] = type == double.class ? (Object) (0.003 * (i + 1)) : type == Channel.class ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y")
+            some[i] = type == double.class ? (Object) (0.003 * (i + 1)) : type == Channel.class
+                    ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y")
                     : type == Modulator.class ? new Modulator.Level(Channel.parse("coil.volt.s"), 0, 3) : type.getEnumConstants()[0];
         }
         try {
-            Object made = physics.getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class[]::new)).newInstance(some);
-            return made instanceof Law law ? law.mechanism() : made instanceof Drive drive ? drive.mechanism() : ((SensorFault) made).mechanism();
+            Object made = physics.getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class[]::new))
+                    .newInstance(some);
+            return made instanceof Law law ? law.mechanism()
+                    : made instanceof Drive drive ? drive.mechanism() : ((SensorFault) made).mechanism();
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }

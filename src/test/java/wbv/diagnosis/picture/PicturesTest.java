@@ -248,8 +248,9 @@ class PicturesTest {
         Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
-        List<Hypothesis> bank = Library.standard().hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
-                SpectralLines.of(base.residual(), trial.evidence().fit())));
+        List<Hypothesis> bank = Library.standard()
+                .hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+                        SpectralLines.of(base.residual(), trial.evidence().fit())));
         Set<String> mechanisms = new TreeSet<>();
         for (Hypothesis hypothesis : bank) {
             double[] start = hypothesis.starts().get(0).values();

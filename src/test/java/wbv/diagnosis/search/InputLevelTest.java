@@ -24,7 +24,7 @@ class InputLevelTest {
     private static final Channel POSITION = Channel.parse("mass.pos.z");
     private static final double PART = 0.005;
 
-    private record Told(double level, double force) { }
+    private record Told(double level, double force) {}
 
     @Tag("slow")
     @ParameterizedTest
@@ -47,10 +47,11 @@ class InputLevelTest {
         DoubleUnaryOperator push = Bench.tones(40, 0.3, 0.4925, 2.5, random);
         Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0]);
         double[] force = bench.sampled(push);
-        Recording recording = bench.recording(PUSH, Bench.noisyBy(part, force.clone(), random), POSITION, Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random));
+        Recording recording = bench.recording(PUSH, Bench.noisyBy(part, force.clone(), random), POSITION,
+                Bench.noisyBy(0.003, bench.sampled(bench.position(0)), random));
         Model model = Bench.oscillator(2, 8000, 25, POSITION);
         Evidence evidence = new Evidence(model, recording);
-        Fitter.State base = new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence));
+        Fitter.State base = new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
         Map<Channel, Double> found = new InputLevel(evidence).of(base);
         return new Told(found.getOrDefault(PUSH, 0.0), Bench.rms(force));
     }

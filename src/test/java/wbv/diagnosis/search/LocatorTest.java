@@ -53,7 +53,7 @@ class LocatorTest {
     }
 
     private static double[] fitted(Evidence evidence, Candidate baseline) {
-        return new Search(evidence, (step, share) -> { }).base(baseline).x();
+        return new Search(evidence, (step, share) -> {}).base(baseline).x();
     }
 
     @Tag("slow")
@@ -79,7 +79,7 @@ class LocatorTest {
         ConcealedCase made = made(List.of("friction.coulomb"), 2);
         Evidence evidence = evidence(made);
         Candidate baseline = Baseline.of(evidence);
-        Search search = new Search(evidence, (step, share) -> { });
+        Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(baseline);
         List<Known.Ignoring> singles = new Locator(evidence, baseline).singles(base.x());
         assertEquals(truth(made), Set.of(singles.get(0).places().get(0).name(evidence)));
@@ -96,7 +96,8 @@ class LocatorTest {
         double[] part = brief.excitation().series(brief.excitation().baseSpectrum());
         assertTrue(Motion.rms(part, part.length) >= Motion.rms(whole, whole.length));
         assertEquals(36, part.length / evidence.recording().clock().rate(), 0.1);
-        int from = (int) Math.round((brief.recording().clock().start() - evidence.recording().clock().start()) * evidence.recording().clock().rate());
+        int from = (int) Math
+                .round((brief.recording().clock().start() - evidence.recording().clock().start()) * evidence.recording().clock().rate());
         assertEquals(evidence.measured(0)[from + 500], brief.measured(0)[500]);
         assertTrue(from + part.length <= evidence.fit().start() + evidence.fit().length());
     }

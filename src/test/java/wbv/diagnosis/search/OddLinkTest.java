@@ -60,7 +60,7 @@ class OddLinkTest {
         links.set(LINK, new Model.Link(link.from(), link.to(), stiffness * link.stiffness(), damping * link.damping(), link.sensor(),
                 link.laws(), link.drives(), link.faults()));
         Model wrong = new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
-        Diagnosis diagnosis = Diagnoser.diagnose(wrong, recording, (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(wrong, recording, (step, share) -> {});
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
     }
 
@@ -85,7 +85,8 @@ class OddLinkTest {
                 y[i] += more[i] - less[i];
             }
         }
-        Diagnosis diagnosis = Diagnoser.diagnose(model, new Recording(recording.clock(), values, recording.metadata()), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(model, new Recording(recording.clock(), values, recording.metadata()),
+                (step, share) -> {});
         assertEquals("memory.viscoelastic", diagnosis.missing().get(0).mechanism(), diagnosis.sentence());
         assertEquals("seat-torso", diagnosis.missing().get(0).where());
         assertEquals("parameters", diagnosis.alternatives().get(0).mechanism(), diagnosis.sentence());

@@ -28,7 +28,7 @@ class OddSensorTest {
     private Diagnosis diagnosed(List<String> words, long seed) throws Exception {
         ConcealedCase made = Concealer.make(new ConcealedSpec("late", words, 0.1, Setting.RIG, false, seed));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
-        return Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
+        return Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> {});
     }
 
     @Test

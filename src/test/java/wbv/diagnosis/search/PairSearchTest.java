@@ -55,7 +55,8 @@ class PairSearchTest {
     @Tag("slow")
     @Test
     void whatAPushLeavesIsNoSecondOne() throws Exception {
-        allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));
+        allIsNamed(folder,
+                new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));
     }
 
     static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
@@ -66,7 +67,7 @@ class PairSearchTest {
     static void allIsNamed(Path folder, ConcealedSpec spec) throws Exception {
         ConcealedCase made = Concealer.make(spec);
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> {});
         Set<String> truth = new TreeSet<>();
         for (JsonNode each : new ObjectMapper().readTree(made.key()).path("mechanisms")) {
             truth.add(each.path("mechanism").asText() + " at " + each.path("where").asText());

@@ -43,14 +43,17 @@ class ScreeningTest {
     private static final double NOISE = 0.02;
     private static final double GAIN = 0.01;
     private static final Channel BASE = Channel.parse("platform.acc.z");
-    private static final List<Channel> OUTPUTS = List.of(Channel.parse("seat.acc.z"), Channel.parse("sternum.acc.z"), Channel.parse("head.acc.z"));
+    private static final List<
+            Channel> OUTPUTS = List.of(Channel.parse("seat.acc.z"), Channel.parse("sternum.acc.z"), Channel.parse("head.acc.z"));
 
     /** A seat, a torso and a head in a chain on a platform. */
     private static Model chain() {
         double[] mass = {12, 45, 5};
         List<String> names = List.of("seat", "torso", "head");
-        List<Model.Body> bodies = IntStream.range(0, 3).mapToObj(b -> new Model.Body(names.get(b), mass[b], Optional.of(OUTPUTS.get(b)), List.of(),
-                Optional.empty(), List.of())).toList();
+        List<Model.Body> bodies = IntStream.range(0, 3)
+                .mapToObj(b -> new Model.Body(names.get(b), mass[b], Optional.of(OUTPUTS.get(b)), List.of(),
+                        Optional.empty(), List.of()))
+                .toList();
         return new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies,
                 List.of(link("platform", "seat", 90e3, 1200), link("seat", "torso", 75e3, 1500), link("torso", "head", 20e3, 150)));
     }
@@ -82,8 +85,10 @@ class ScreeningTest {
     }
 
     private static Hypothesis hypothesis(int link, Law law, double value) {
-        return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "link " + link, "", List.of(new Hypothesis.Addition.InLink(link, law)),
-                Hypothesis.Number.named(law.getClass(), List.of(Hypothesis.Number.sum(value, -1000 * value, 1000 * value))), List.of(Hypothesis.Start.scaled(value)));
+        return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "link " + link, "",
+                List.of(new Hypothesis.Addition.InLink(link, law)),
+                Hypothesis.Number.named(law.getClass(), List.of(Hypothesis.Number.sum(value, -1000 * value, 1000 * value))),
+                List.of(Hypothesis.Start.scaled(value)));
     }
 
     @Test
@@ -96,7 +101,7 @@ class ScreeningTest {
         double[][] gains = new double[asked.size()][RECORDINGS];
         for (int seed = 0; seed < RECORDINGS; seed++) {
             Evidence evidence = new Evidence(chain(), recording(new Random(900 + seed)), OptionalDouble.of(NOISE));
-            Fitter.State base = new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence));
+            Fitter.State base = new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
             Motion motion = new Motion(evidence, base.candidate().at(base.x()));
             for (Screening.Score score : new Screening(evidence, base, motion).scores(asked)) {
                 gains[asked.indexOf(score.hypothesis())][seed] = score.gain();

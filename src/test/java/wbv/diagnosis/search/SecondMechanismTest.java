@@ -24,7 +24,8 @@ class SecondMechanismTest {
     /** What a reflex leaves that is not only late but slow too is its form, though the head's sensor could do nearly the same. */
     @Test
     void whatALawLeavesAtItsPlaceIsItsForm() throws Exception {
-        PairSearchTest.allIsNamed(folder, new ConcealedSpec("form", List.of("muscle.reflex"), 0.3, Setting.RIG, false, -6379168608981105790L));
+        PairSearchTest.allIsNamed(folder,
+                new ConcealedSpec("form", List.of("muscle.reflex"), 0.3, Setting.RIG, false, -6379168608981105790L));
     }
 
     /** A spring explains nearly all, but another link has to be four times as stiff as given. */

@@ -63,8 +63,9 @@ class WhereaboutsTest {
         Model model = ModelFile.read(Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8));
         Evidence evidence = new Evidence(model, made.recording());
         Candidate baseline = Baseline.of(evidence);
-        Fitter.State base = new Search(evidence, (step, share) -> { }).base(baseline);
-        return new Asked(evidence, baseline, base, Whereabouts.found(evidence, baseline, base.x()), new ObjectMapper().readTree(made.key()));
+        Fitter.State base = new Search(evidence, (step, share) -> {}).base(baseline);
+        return new Asked(evidence, baseline, base, Whereabouts.found(evidence, baseline, base.x()),
+                new ObjectMapper().readTree(made.key()));
     }
 
     /** Every hypothesis of the library. */
@@ -95,7 +96,8 @@ class WhereaboutsTest {
             assertTrue(force.isPresent(), found);
             // Where a link of the torso is ignored, a force on its other end is as good as one on the torso.
             String body = asked.evidence().model().bodies().get(force.get().body()).name();
-            assertTrue(body.equals("torso") || asked.place().contains("torso") && asked.place().contains(body), body + " of " + asked.place());
+            assertTrue(body.equals("torso") || asked.place().contains("torso") && asked.place().contains(body),
+                    body + " of " + asked.place());
             assertTrue(force.get().rms() > truth / 2 && force.get().rms() < 2 * truth, found);
         }
     }
@@ -104,7 +106,8 @@ class WhereaboutsTest {
     @Tag("exam")
     @Test
     void aPushThatIsAllThereIsIsNamed() throws Exception {
-        PairSearchTest.allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured"), 0.3, Setting.FIELD, false, 513673977106332782L));
+        PairSearchTest.allIsNamed(folder,
+                new ConcealedSpec("push", List.of("input.unmeasured"), 0.3, Setting.FIELD, false, 513673977106332782L));
     }
 
     /** Numbers fitted beside what is missing are nearer to the truth than those that had to make up for it. */
@@ -144,7 +147,7 @@ class WhereaboutsTest {
         Model model = ModelFile.read(shipped.resolve("model.json"));
         Evidence evidence = new Evidence(model, new RecordingFile(shipped.resolve("recording.csv.gz")).load());
         Candidate baseline = Baseline.of(evidence);
-        Fitter.State base = new Search(evidence, (step, share) -> { }).base(baseline);
+        Fitter.State base = new Search(evidence, (step, share) -> {}).base(baseline);
         assertFalse(Whereabouts.found(evidence, baseline, base.x()).ownForce().isPresent());
     }
 }

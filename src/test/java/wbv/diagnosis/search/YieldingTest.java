@@ -31,10 +31,12 @@ class YieldingTest {
     void frictionAndHysteresisAreToldApart(String mechanism) throws Exception {
         ConcealedCase made = Concealer.make(new ConcealedSpec("yielding", List.of(mechanism), 1, Setting.FIELD, false, 1));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> {});
         assertEquals(mechanism, diagnosis.missing().get(0).mechanism(), diagnosis.sentence() + diagnosis.alternatives());
         // Over one road the two are close relatives: one is held plainly, if not always alone.
-        assertTrue(diagnosis.missing().get(0).probability() > 0.8 && diagnosis.alternatives().stream().allMatch(rival -> rival.probability() < 0.1),
+        assertTrue(
+                diagnosis.missing().get(0).probability() > 0.8
+                        && diagnosis.alternatives().stream().allMatch(rival -> rival.probability() < 0.1),
                 diagnosis.sentence() + diagnosis.alternatives());
     }
 }

@@ -40,7 +40,7 @@ class SimulatedPlaneTest {
         ConcealedCase made = Concealer.make(new ConcealedSpec("plane", List.of(), 1, Setting.PLANAR, false, seed));
         Recording simulation = made.beside().get("simulation.csv.gz");
         SimulatedPlane plane = SimulatedPlane.of(made.recording(), all(simulation), INPUT, PLACES).orElseThrow();
-        PlaneNet net = plane.best(plane.plain(), (step, share) -> { });
+        PlaneNet net = plane.best(plane.plain(), (step, share) -> {});
         double[][] sensors = {{-0.1, 0.12}, {0.1, 0.45}, {0.0, 0.88}};
         double[] widths = {0.01, 0.01, 0.02};
         for (int i = 0; i < PLACES.size(); i++) {
@@ -62,7 +62,8 @@ class SimulatedPlaneTest {
     void aNetAndItsModelAreOneThing() {
         Model model = ModelFile.parse(TWO_BODIES, "two bodies");
         Model.Base base = model.base();
-        Model flat = new Model(model.name(), model.source(), model.axis(), new Model.Base(base.name(), base.sensor(), 0, base.further(), java.util.Optional.empty()),
+        Model flat = new Model(model.name(), model.source(), model.axis(),
+                new Model.Base(base.name(), base.sensor(), 0, base.further(), java.util.Optional.empty()),
                 model.bodies(), model.links(), model.inputs(), model.declared(), model.sensors());
         Recording ride = ride(new Well19937c(5), 9600);
         double[][] read = SimulatedPlane.outputs(flat, ride);
@@ -71,8 +72,9 @@ class SimulatedPlaneTest {
         SimulatedPlane plane = SimulatedPlane.of(ride, simulated, INPUT, List.of("pelvis", "head")).orElseThrow();
         PlaneNet net = plane.plain();
         Model found = plane.model(net, model.mass());
-        double[][] again = SimulatedPlane.outputs(new Model(found.name(), found.source(), found.axis(), flat.base(), found.bodies(), found.links(), found.inputs(),
-                found.declared(), found.sensors()), ride);
+        double[][] again = SimulatedPlane
+                .outputs(new Model(found.name(), found.source(), found.axis(), flat.base(), found.bodies(), found.links(), found.inputs(),
+                        found.declared(), found.sensors()), ride);
         for (int o = 0; o < read.length; o++) {
             double missed = ChainSearch.error(read[model.outputs().indexOf(found.outputs().get(o))], again[o], 180);
             assertTrue(missed < 3e-3, found.outputs().get(o) + " misses " + missed);

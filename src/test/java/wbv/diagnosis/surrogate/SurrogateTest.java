@@ -128,7 +128,8 @@ class SurrogateTest {
             return y;
         });
         double[][] outputs = new Simulator(new Excitation(RATE, Excitation.bridged(gaps.values(BASE)), Map.of())).outputs(truth.assembly());
-        Recording simulation = new Recording(gaps.clock(), Map.of(truth.outputs().get(0), outputs[0], truth.outputs().get(1), outputs[1]), Metadata.NONE);
+        Recording simulation = new Recording(gaps.clock(), Map.of(truth.outputs().get(0), outputs[0], truth.outputs().get(1), outputs[1]),
+                Metadata.NONE);
         of(gaps, simulation).errors().values().forEach(error -> assertEquals(0, error, 5e-3));
     }
 
@@ -201,12 +202,14 @@ class SurrogateTest {
         Model truth = chain(List.of("sternum", "head"), List.of(new CoulombFriction(20, 1e-3)));
         Surrogate.Examined examined = examined(recording(truth), simulation(truth));
         assertTrue(examined.surrogate().errors().values().stream().anyMatch(missed -> missed > 0.05), examined.surrogate().sentence());
-        assertEquals(Diagnosis.Verdict.NOTHING_MISSING, examined.diagnosed().diagnosis().verdict(), examined.diagnosed().diagnosis().sentence());
+        assertEquals(Diagnosis.Verdict.NOTHING_MISSING, examined.diagnosed().diagnosis().verdict(),
+                examined.diagnosed().diagnosis().sentence());
         double[] simulated = simulation(truth).values(Channel.parse("head.acc.z"));
         Predicted predicted = examined.diagnosed().predicted();
         int first = (int) Math.round(predicted.time()[0] * RATE);
         for (int i = 0; i < predicted.time().length; i++) {
-            assertEquals(simulated[first + i] - Arrays.stream(simulated).average().orElseThrow(), predicted.model()[1][i], 0.02, "sample " + i);
+            assertEquals(simulated[first + i] - Arrays.stream(simulated).average().orElseThrow(), predicted.model()[1][i], 0.02,
+                    "sample " + i);
         }
     }
 
@@ -225,7 +228,8 @@ class SurrogateTest {
         assertTrue(!found.missing().isEmpty(), found.sentence());
         // Play in a link that is stiff outside it and a link that hardens are nearly one law where nothing is known of the spring.
         assertTrue(Stream.concat(found.missing().stream(), found.alternatives().stream())
-                .anyMatch(named -> named.mechanism().equals("stiffness.hardening") && named.where().equals("pelvis-sternum")), found.sentence());
+                .anyMatch(named -> named.mechanism().equals("stiffness.hardening") && named.where().equals("pelvis-sternum")),
+                found.sentence());
         assertEquals("pelvis-sternum", found.missing().get(0).where(), found.sentence());
         found.fit().nrmseAfter().forEach((channel, after) -> {
             double floor = found.fit().nrmseFloor().get(channel);
@@ -260,8 +264,9 @@ class SurrogateTest {
         assertTrue(found.sentence().contains("beside what platform.gyr.y did"), found.sentence());
         Diagnosis exact = examined(recording, simulation).diagnosed().diagnosis();
         assertEquals(Diagnosis.Verdict.NOTHING_MISSING, exact.verdict(), exact.sentence());
-        Model stiffer = new Model(truth.name(), truth.source(), truth.axis(), truth.base(), truth.bodies(), truth.links().stream().map(link ->
-                new Model.Link(link.from(), link.to(), 1.1 * link.stiffness(), link.damping(), link.sensor(), link.laws(), link.drives())).toList());
+        Model stiffer = new Model(truth.name(), truth.source(), truth.axis(), truth.base(), truth.bodies(),
+                truth.links().stream().map(link -> new Model.Link(link.from(), link.to(), 1.1 * link.stiffness(), link.damping(),
+                        link.sensor(), link.laws(), link.drives())).toList());
         Diagnosis wrong = examined(recording, rocked(simulation(stiffer), 1)).diagnosed().diagnosis();
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, wrong.verdict(), wrong.sentence());
     }
@@ -306,7 +311,7 @@ class SurrogateTest {
     }
 
     private static Surrogate.Examined examined(Recording recording, Recording simulation) {
-        return Surrogate.examine(recording, simulation, "sim.csv", BASE, OptionalDouble.empty(), false, (step, share) -> { });
+        return Surrogate.examine(recording, simulation, "sim.csv", BASE, OptionalDouble.empty(), false, (step, share) -> {});
     }
 
     @Test
@@ -321,7 +326,7 @@ class SurrogateTest {
     }
 
     private static Surrogate of(Recording recording, Recording simulation) {
-        return Surrogate.of(recording, simulation, "sim.csv", BASE, (step, share) -> { });
+        return Surrogate.of(recording, simulation, "sim.csv", BASE, (step, share) -> {});
     }
 
     private static String refused(Recording recording, Recording simulation) {

@@ -41,7 +41,7 @@ class ColumnMapTest {
     void unitsComeOutInSiWithTheExactFactor(String quantity, String unit, double value, double si) throws IOException {
         RecordingFile file = mapped("time,a\n0," + value + "\n1," + value + "\n",
                 "{\"time\": {\"column\": \"time\"}, \"channels\": {\"seat."
-                + quantity + ".z\": {\"column\": \"a\", \"unit\": \"" + unit + "\"}}}");
+                        + quantity + ".z\": {\"column\": \"a\", \"unit\": \"" + unit + "\"}}}");
         assertEquals(si, Samples.rows(file.open()).get(0)[1], unit.equals("rpm") ? Math.ulp(si) : 0);
     }
 
@@ -49,10 +49,10 @@ class ColumnMapTest {
     void patternsNameManyColumnsAndOthersAreLeftOut() throws IOException {
         RecordingFile file = mapped("\"note; free\";\"Time (ms)\";Seat_aX;Seat_aZ;Head_wY\n\"a;b\";1000;1;2;90\nx;1010;-1,5;?;\n",
                 """
-                {"comment": "a logger", "time": {"column": "Time (ms)", "unit": "ms", "from_zero": true},
-                 "channels": {"seat.acc.z": {"column": "Seat_aZ", "unit": "g", "scale": -1}},
-                 "patterns": [{"column": "{location}_a{axis}", "channel": "{location}.acc.{axis}", "unit": "m/s2"},
-                              {"column": "{location}_w{axis}", "channel": "{location}.gyr.{axis}", "unit": "deg/s"}]}""");
+                        {"comment": "a logger", "time": {"column": "Time (ms)", "unit": "ms", "from_zero": true},
+                         "channels": {"seat.acc.z": {"column": "Seat_aZ", "unit": "g", "scale": -1}},
+                         "patterns": [{"column": "{location}_a{axis}", "channel": "{location}.acc.{axis}", "unit": "m/s2"},
+                                      {"column": "{location}_w{axis}", "channel": "{location}.gyr.{axis}", "unit": "deg/s"}]}""");
         RowReader reader = file.open();
         assertEquals("seat.acc.z seat.acc.x head.gyr.y",
                 reader.channels().stream().map(Channel::toString).collect(Collectors.joining(" ")));

@@ -33,7 +33,8 @@ class MapDraftTest {
 
     private List<double[]> read(Path file, Channel channel) throws IOException {
         Path map = Files.writeString(room.resolve("map.json"), MapDraft.of(file).json("file"));
-        try (RowReader reader = new RecordingFile(file, new ReadOptions(Optional.of(ColumnMap.read(map)), OptionalDouble.empty(), Map.of())).open()) {
+        try (RowReader reader = new RecordingFile(file, new ReadOptions(Optional.of(ColumnMap.read(map)), OptionalDouble.empty(), Map.of()))
+                .open()) {
             int column = 1 + reader.channels().indexOf(channel);
             assertTrue(column > 0, channel + " is not among " + reader.channels());
             return Samples.rows(reader).stream().map(row -> new double[] {row[0], row[column]}).toList();
@@ -65,7 +66,9 @@ class MapDraftTest {
         assertEquals(1, questions(TABLES.resolve("phyphox.csv")).size());
         assertTrue(questions(TABLES.resolve("phyphox.csv")).get(0).startsWith("Where was the sensor of 'Acceleration x (m/s^2)'"));
         List<String> counts = questions(TABLES.resolve("arduino.csv"));
-        assertTrue(counts.stream().anyMatch(each -> each.startsWith("Are 16384 counts")) && counts.stream().anyMatch(each -> each.contains("one deg/s")),
+        assertTrue(
+                counts.stream().anyMatch(each -> each.startsWith("Are 16384 counts"))
+                        && counts.stream().anyMatch(each -> each.contains("one deg/s")),
                 counts.toString());
         List<String> bare = questions(TABLES.resolve("bare.csv"));
         assertTrue(bare.stream().anyMatch(each -> each.startsWith("How many samples a second"))
@@ -86,12 +89,14 @@ class MapDraftTest {
     @CsvSource({
         "Acceleration x (m/s^2), '', ACCELERATION, x, m/s^2", "Linear Acceleration z (m/s^2), '', ACCELERATION, z, m/s^2",
         "Gyroscope y (rad/s), '', ANGULAR_RATE, y, rad/s",
-        "ax, '', ACCELERATION, x, ''", "gz, '', ANGULAR_RATE, z, ''", "AccX, '', ACCELERATION, x, ''", "head_acc_x_m_s2, head, ACCELERATION, x, m/s2",
+        "ax, '', ACCELERATION, x, ''", "gz, '', ANGULAR_RATE, z, ''", "AccX, '', ACCELERATION, x, ''",
+        "head_acc_x_m_s2, head, ACCELERATION, x, m/s2",
         "seat_gyroZ_dps, seat, ANGULAR_RATE, z, dps", "Seat vertical [g], seat, ACCELERATION, z, g", "Load cell (kN), cell, FORCE, '', kN",
         "mag.x, '', MAGNETIC_FIELD, x, ''",
         "seat.acc.x[0], seat, ACCELERATION, x, ''", "Wheel speed (km/h), wheel, VELOCITY, '', km/h"})
     void namesSayWhatTheyMean(String name, String place, Quantity quantity, String axis, String unit) {
-        Label label = NameWords.of(new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1), Optional.empty()).label();
+        Label label = NameWords
+                .of(new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1), Optional.empty()).label();
         assertEquals(Optional.of(place).filter(word -> !word.isEmpty()), label.place());
         assertEquals(Optional.of(quantity), label.quantity());
         assertEquals(axis, label.axis().map(String::valueOf).orElse(""));
@@ -110,7 +115,7 @@ class MapDraftTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"one line of words|holds no table", "1,2,3\\n4,5,6\\n7,8,9\\n1,2,3|names of its 3 columns",
-            "p;q\\n1;2\\n3;4\\n5;6\\n7;8|no column's name says"})
+        "p;q\\n1;2\\n3;4\\n5;6\\n7;8|no column's name says"})
     void whatIsNoTableIsRefusedInOneLine(String text, String words) throws IOException {
         Path file = Samples.file(room, "x.csv", text.replace("\\n", "\n"));
         String message = assertThrows(DataFault.class, () -> MapDraft.of(file)).getMessage();

@@ -49,7 +49,7 @@ class MvnxFormatTest {
         List<double[]> rows = Samples.rows(reader);
         assertEquals(2, rows.size());
         assertArrayEquals(new double[] {1 / 60.0, 0.5, 0, 0, 0, 0, -1e-3, 0, 0, 0.5, 0, 0, 0, 1, 2, 3, 4, 5, 6, 1, 0, 0, 0, 0, 1,
-                0, 0},
+            0, 0},
                 rows.get(1), 1e-15);
     }
 

@@ -12,7 +12,8 @@ import wbv.recording.Recording;
 
 class RecordingTest {
 
-    private static final Recording WHOLE = new Recording(new Clock(2, 10), Map.of(Samples.HEAD, new double[] {5, 6, Double.NaN, 8, 9}), Metadata.NONE);
+    private static final Recording WHOLE = new Recording(new Clock(2, 10), Map.of(Samples.HEAD, new double[] {5, 6, Double.NaN, 8, 9}),
+            Metadata.NONE);
 
     @Test
     void aPartKeepsItsTimes() {

@@ -65,7 +65,7 @@ class RoundTripTest {
 
     private static final Metadata METADATA = new Metadata(OptionalDouble.of(60), new LinkedHashMap<>(Map.of("head", "00B42235")),
             Optional.of(new Metadata.Subject(OptionalDouble.of(79.4), OptionalDouble.of(1.8), OptionalDouble.empty(),
-            Optional.of("f"))),
+                    Optional.of("f"))),
             Optional.of("haul road, loaded"), OptionalDouble.of(380), Optional.of("a test"), Map.of("seed", "7"));
 
     private static void assertSameBits(double expected, double actual, String where) {

@@ -122,13 +122,19 @@ class RowLinesTest {
 
     /** What cannot be read is refused with its line and its reason, and the row after it is read as if it had not been there. */
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"1,2,3|has 3 cells where the header names 2", "1|has 1 cell where", "1,x|column seat.acc.z must be a finite number",
-        ",1|the row has no time", "1e300,1|is not within", "1,1e12|which no sensor measures", "{\"t\":1|is not JSON",
-        "{\"t\":1,\"t\":2,\"seat.acc.z\":1}|is not JSON: Duplicate field", "{\"t\":1}|but no channel", "{\"seat.acc.z\":1}|must have a column t",
-        "{\"t\":\"1\",\"seat.acc.z\":1}|field t must be a number", "{\"t\":[1,2],\"seat.acc.z\":[1]}|equally long", "{\"t\":[],\"seat.acc.z\":[]}|equally long",
-        "{\"t\":[1,2],\"seat.acc.z\":3}|must be a list", "{\"t\":1,\"seat.acc.z\":1} {}|is not one JSON object", "{\"t\":{\"a\":1}}|must be a number",
-        "{\"t\":1,\"seat\":[1],\"seat.acc.z\":1}|must be a word", "{\"t\":1e999,\"seat.acc.z\":1}|finite", "{\"t\":1,\"seat.acc.zz\":1}|a channel is named",
-        "{\"SampleTimeFine\":-1,\"Acc_X\":1}|counts microseconds", "t,nonsense|a channel is named", "t,t|stands twice", "@nonsense|attribute lines only"})
+    @CsvSource(delimiter = '|',
+            value = {"1,2,3|has 3 cells where the header names 2", "1|has 1 cell where", "1,x|column seat.acc.z must be a finite number",
+                ",1|the row has no time", "1e300,1|is not within", "1,1e12|which no sensor measures", "{\"t\":1|is not JSON",
+                "{\"t\":1,\"t\":2,\"seat.acc.z\":1}|is not JSON: Duplicate field", "{\"t\":1}|but no channel",
+                "{\"seat.acc.z\":1}|must have a column t",
+                "{\"t\":\"1\",\"seat.acc.z\":1}|field t must be a number", "{\"t\":[1,2],\"seat.acc.z\":[1]}|equally long",
+                "{\"t\":[],\"seat.acc.z\":[]}|equally long",
+                "{\"t\":[1,2],\"seat.acc.z\":3}|must be a list", "{\"t\":1,\"seat.acc.z\":1} {}|is not one JSON object",
+                "{\"t\":{\"a\":1}}|must be a number",
+                "{\"t\":1,\"seat\":[1],\"seat.acc.z\":1}|must be a word", "{\"t\":1e999,\"seat.acc.z\":1}|finite",
+                "{\"t\":1,\"seat.acc.zz\":1}|a channel is named",
+                "{\"SampleTimeFine\":-1,\"Acc_X\":1}|counts microseconds", "t,nonsense|a channel is named", "t,t|stands twice",
+                "@nonsense|attribute lines only"})
     void aLineThatCannotBeReadIsRefusedByItself(String bad, String why) {
         RowLines lines = lines();
         take(lines, "t,seat.acc.z\n0,1");

@@ -23,7 +23,7 @@ public final class Samples {
 
     public static final Channel HEAD = Channel.parse("head.acc.z");
 
-    private Samples() { }
+    private Samples() {}
 
     /** A file with this text. */
     public static Path file(Path folder, String name, String text) throws IOException {

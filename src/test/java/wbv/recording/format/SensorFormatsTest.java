@@ -173,14 +173,16 @@ class SensorFormatsTest {
     void aRowOfZerosBeforeTheFirstSampleIsPassedOverAndTold() throws IOException {
         StringBuilder text = new StringBuilder(DOT + "0,0,0,0,0,0,0,0,0,0,0,0\n");
         for (int i = 0; i < 60; i++) {
-            text.append(i + 1).append(',').append(3_343_427_885L + 16_667L * i).append(",180,0,0,0.1,").append(0.01 * i).append(",9.8,90,0,-180,0\n");
+            text.append(i + 1).append(',').append(3_343_427_885L + 16_667L * i).append(",180,0,0,0.1,").append(0.01 * i)
+                    .append(",9.8,90,0,-180,0\n");
         }
         Inspection inspection = Samples.recording(folder, "D4.csv", text.toString()).inspect();
         assertEquals(60, inspection.samples());
         Finding.PassedOver zeros = Samples.find(inspection, Finding.PassedOver.class).orElseThrow();
         assertEquals("1 row of zeros, the time too, before the first sample: passed over", zeros.message());
         Samples.file(folder, "D5.csv", text.toString().replace("zdt", "other"));
-        RecordingSet both = new RecordingSet(List.of(new RecordingFile(folder.resolve("D4.csv")), new RecordingFile(folder.resolve("D5.csv"))));
+        RecordingSet both = new RecordingSet(
+                List.of(new RecordingFile(folder.resolve("D4.csv")), new RecordingFile(folder.resolve("D5.csv"))));
         assertEquals(2, Samples.find(both.inspect(), Finding.PassedOver.class).orElseThrow().count());
     }
 

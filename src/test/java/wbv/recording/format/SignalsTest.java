@@ -50,7 +50,8 @@ class SignalsTest {
 
     /** What the files were made of, by column of expected.csv. */
     private static double[] expected(int column) throws IOException {
-        return Files.readAllLines(MADE.resolve("expected.csv")).stream().skip(1).mapToDouble(line -> Double.parseDouble(line.split(",")[column])).toArray();
+        return Files.readAllLines(MADE.resolve("expected.csv")).stream().skip(1)
+                .mapToDouble(line -> Double.parseDouble(line.split(",")[column])).toArray();
     }
 
     private static RowReader open(Path file, String map) throws IOException {
@@ -119,14 +120,15 @@ class SignalsTest {
             assertNear(expected(SEAT), column(rows, 1), 1e-10);
             assertNear(expected(FORCE), column(rows, 2), 1e-6);
         }
-        try (RowReader reader = new RecordingFile(file, new ReadOptions(Optional.empty(), OptionalDouble.empty(), Map.of("node_7", "sledge"))).open()) {
+        try (RowReader reader = new RecordingFile(file,
+                new ReadOptions(Optional.empty(), OptionalDouble.empty(), Map.of("node_7", "sledge"))).open()) {
             assertEquals("[sledge.acc.x, sledge.force.x]", reader.channels().toString());
         }
     }
 
     @ParameterizedTest
     @CsvSource({"pyuff-no-direction.uff, does not say its direction", "pyuff-no-unit.uff, does not say its unit",
-            "scipy-struct.mat, no signal says what it measures",
+        "scipy-struct.mat, no signal says what it measures",
         "scipy-16.wav, no signal says what it measures"})
     void whatAFileCannotSayIsAskedForInOneLine(String name, String asked) {
         DataFault fault = assertThrows(DataFault.class, () -> open(MADE.resolve(name), ""));
@@ -205,18 +207,21 @@ class SignalsTest {
             List<double[]> rows = Samples.rows(reader);
             assertNear(expected(TIME), column(rows, 0), 1e-15);
             assertNear(Arrays.stream(expected(SEAT)).map(value -> 20 * value).toArray(), column(rows, 1), 20 * (0.5001 / steps) + 1e-15);
-            assertNear(Arrays.stream(expected(HEAD)).map(value -> Unit.STANDARD_GRAVITY * value).toArray(), column(rows, 2), 10 * (0.5001 / steps) + 1e-15);
+            assertNear(Arrays.stream(expected(HEAD)).map(value -> Unit.STANDARD_GRAVITY * value).toArray(), column(rows, 2),
+                    10 * (0.5001 / steps) + 1e-15);
         }
     }
 
-    private static final List<Channel> CHANNELS = List.of("left_shoulder.accg.x", "seat.gyr.z", "seat.force.z", "coil.volt.s", "head.quat.w").stream()
-            .map(Channel::parse).toList();
+    private static final List<
+            Channel> CHANNELS = List.of("left_shoulder.accg.x", "seat.gyr.z", "seat.force.z", "coil.volt.s", "head.quat.w").stream()
+                    .map(Channel::parse).toList();
 
     private Path written(String name, double rate) throws IOException {
         Path file = room.resolve(name);
         try (RecordingWriter writer = RecordingWriter.create(file, CHANNELS, Metadata.NONE.withRate(OptionalDouble.of(rate)))) {
             for (int i = 0; i < 301; i++) {
-                writer.write(new double[] {i / rate, Math.sin(i), i == 7 ? Double.NaN : Math.sin(2 * i) / 3, 1e3 * Math.cos(i), 1e-7 * i, 1 - 1e-9 * i});
+                writer.write(new double[] {i / rate, Math.sin(i), i == 7 ? Double.NaN : Math.sin(2 * i) / 3, 1e3 * Math.cos(i), 1e-7 * i,
+                    1 - 1e-9 * i});
             }
             writer.finish();
         }
@@ -237,7 +242,8 @@ class SignalsTest {
                 assertEquals(i / hertz, row[0], rate * (1 + i / hertz) + 1e-15);
                 double[] truth = {Math.sin(i), i == 7 ? Double.NaN : Math.sin(2 * i) / 3, 1e3 * Math.cos(i), 1e-7 * i, 1 - 1e-9 * i};
                 for (int j = 0; j < truth.length; j++) {
-                    assertEquals(truth[j], row[1 + j], Double.isNaN(truth[j]) ? 0 : relative * Math.abs(truth[j]), CHANNELS.get(j) + " " + i);
+                    assertEquals(truth[j], row[1 + j], Double.isNaN(truth[j]) ? 0 : relative * Math.abs(truth[j]),
+                            CHANNELS.get(j) + " " + i);
                 }
             }
         }
@@ -258,8 +264,9 @@ class SignalsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"pyuff-ascii.uff", "pyuff-binary.uff", "scipy-5.mat", "scipy-7.mat", "h5py.h5", "hdf5storage-73.mat", "scipy-16.wav",
-            "soundfile-rf64.wav"})
+    @ValueSource(
+            strings = {"pyuff-ascii.uff", "pyuff-binary.uff", "scipy-5.mat", "scipy-7.mat", "h5py.h5", "hdf5storage-73.mat", "scipy-16.wav",
+                "soundfile-rf64.wav"})
     void halfAFileIsRefusedInOneLine(String name) throws IOException {
         byte[] whole = Files.readAllBytes(MADE.resolve(name));
         String map = name.endsWith(".wav") ? "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\"}}}" : "";

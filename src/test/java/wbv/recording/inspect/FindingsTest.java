@@ -154,8 +154,7 @@ class FindingsTest {
 
     @Test
     void rowsOfZerosAreCounted() {
-        Inspection inspection = inspect(row ->
-                index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
+        Inspection inspection = inspect(row -> index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
         assertOnly(inspection, new Finding.ZeroRows("seat", 2, 702, false));
     }
 

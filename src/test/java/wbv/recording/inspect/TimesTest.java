@@ -82,8 +82,8 @@ class TimesTest {
     @CsvSource({"100, 2", "50, 2", "1000, 3", "10, 1", "200, 3"})
     void aStepThatIsWrittenExactlyShowsEveryLostRow(double rate, int decimals) {
         double unit = Math.pow(10, decimals);
-        Inspection inspection = Samples.inspect(Arrays.stream(without(40_000, 50, 5000, 30_000)).mapToDouble(i ->
-                Math.rint(unit * i / rate) / unit).toArray());
+        Inspection inspection = Samples
+                .inspect(Arrays.stream(without(40_000, 50, 5000, 30_000)).mapToDouble(i -> Math.rint(unit * i / rate) / unit).toArray());
         assertEquals(3, Samples.find(inspection, Finding.Gap.class).orElseThrow().missing());
         assertEquals(new Clock(0, rate), inspection.clock());
         assertEquals(40_000, inspection.samples());

@@ -44,7 +44,7 @@ class DiagnosisReportTest {
         Model model = new Model(name, Optional.empty(), 'z', new Model.Base("platform",
                 Optional.of(Channel.parse("platform.acc.z"))),
                 List.of(new Model.Body(name, 40, Optional.of(Channel.parse("sternum.acc.z")), List.of(), Optional.empty(),
-                List.of())),
+                        List.of())),
                 List.of(new Model.Link("platform", name, 45e3, 800, Optional.empty(), List.of(), List.of())));
         return new Diagnosis(verdict, "The link " + name + " softens", List.of(
                 new Diagnosis.Located("sternum.acc.z", new double[] {4, 6.5}, new double[] {0, 120}, 0.61, 7 + THIRD)),
@@ -52,7 +52,8 @@ class DiagnosisReportTest {
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
                 new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, List.of(proof(0, 30, 0.31, 0.012, 0.011)),
                         List.of(proof(0.4, 2, 0.05, 0.004, 0.004), proof(2, 22, 0.3, 0.0115, 0.01)),
-                        Map.of("sternum.acc.z", Map.of("delay_s", 0.0012))), List.of(new Diagnosis.Latent("link", name, 1.3)), model, Optional.empty());
+                        Map.of("sternum.acc.z", Map.of("delay_s", 0.0012))),
+                List.of(new Diagnosis.Latent("link", name, 1.3)), model, Optional.empty());
     }
 
     private static Diagnosis.Proof proof(double low, double high, double before, double after, double floor) {
@@ -69,16 +70,17 @@ class DiagnosisReportTest {
         return new Pictures(true, List.of(new Pictures.View("sternum.acc.z", "m/s²",
                 new Pictures.Traces(105, 0.5, new double[] {1, Double.NaN, 3, 4}, rising, rising),
                 new Pictures.ResidualMap(new double[] {1, 2}, rising, new double[][] {{1, 2, 3, 4}, {5, 6, 7, Double.NaN}},
-                new double[2][4]),
+                        new double[2][4]),
                 List.of(new Pictures.Transfer(name, "1", rising, rising, new double[4], new boolean[] {true, true, false, true},
-                rising,
-                rising)), 0.4, 4000)),
+                        rising,
+                        rising)),
+                0.4, 4000)),
                 List.of(new Portrait("Force in " + name, deflection, deflection, List.of(
                         new Portrait.Trail(name, Portrait.Kind.SAMPLES, x, x, none),
                         new Portrait.Trail("mean", Portrait.Kind.MEAN, x, x, rising),
                         new Portrait.Trail("law", Portrait.Kind.LAW, x, x, none)), name),
                         new Portrait("Gain", hertz, deflection, List.of(new Portrait.Trail("as measured",
-                        Portrait.Kind.MEASURED, rising, x, rising)), "")),
+                                Portrait.Kind.MEASURED, rising, x, rising)), "")),
                 List.of(new Pictures.Value(name, "stiffness_N_per_m", 45e3, 50e3, 47e3)));
     }
 
@@ -136,7 +138,8 @@ class DiagnosisReportTest {
 
     @Test
     void everyVerdictIsAWordWithHyphens(@TempDir Path folder) throws IOException {
-        List<String> words = List.of("missing-physics", "parameters-only", "nothing-missing", "unexplained", "learned-law", "ambiguous", "cannot-tell");
+        List<String> words = List.of("missing-physics", "parameters-only", "nothing-missing", "unexplained", "learned-law", "ambiguous",
+                "cannot-tell");
         for (Diagnosis.Verdict verdict : Diagnosis.Verdict.values()) {
             assertEquals(words.get(verdict.ordinal()), json(write(folder.resolve(verdict.word()), "a", verdict)).get("verdict")
                     .asText());
@@ -181,7 +184,7 @@ class DiagnosisReportTest {
         double[] y = {0.125, -7, 1e9, Double.NaN};
         XyChart plane = new XyChart("p", ChartAxis.linear("r", "mm"), ChartAxis.linear("F", "N"), List.of(
                 new XySeries("cloud", x, y, XySeries.Style.CLOUD), new XySeries("mean", x, y, new double[] {1, 2, 3, 4},
-                XySeries.Style.POINTS, 5)));
+                        XySeries.Style.POINTS, 5)));
         BarChart bars = new BarChart("b", ChartAxis.linear("e", "%"), List.of("one", "two"),
                 List.of(new BarChart.Bars("before", new double[] {31, Double.NaN}, 1)), "");
         JsonNode first = new ObjectMapper().readTree(ChartJson.of(plane));

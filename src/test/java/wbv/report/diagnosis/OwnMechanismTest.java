@@ -78,7 +78,8 @@ class OwnMechanismTest {
     @Tag("slow")
     @Test
     void isFoundNamedAndWritten() throws IOException {
-        Diagnosed found = Diagnoser.examine(Question.of(MODEL, recording()).with(Library.standard().with(new Cushion())), (step, share) -> { });
+        Diagnosed found = Diagnoser.examine(Question.of(MODEL, recording()).with(Library.standard().with(new Cushion())),
+                (step, share) -> {});
         Diagnosis diagnosis = found.diagnosis();
         assertEquals(List.of("toy.cushion"), diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList(), diagnosis.sentence());
         assertEquals("seat-torso", diagnosis.missing().get(0).where());

@@ -35,7 +35,8 @@ class PlaneDrawingTest {
         assertArrayEquals(new double[] {0, 0.25}, named(chart, "sensors").y());
         assertArrayEquals(new double[] {-0.1}, named(chart, "what is missing acts here").x());
         assertEquals(3.6 * (chart.y().high() - chart.y().low()), chart.x().high() - chart.x().low(), 1e-12, "both axes to one scale");
-        assertTrue(PlaneDrawing.of(model, List.of()).orElseThrow().series().stream().noneMatch(series -> series.name().startsWith("what is missing")));
+        assertTrue(PlaneDrawing.of(model, List.of()).orElseThrow().series().stream()
+                .noneMatch(series -> series.name().startsWith("what is missing")));
     }
 
     @Test

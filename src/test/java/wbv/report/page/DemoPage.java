@@ -52,7 +52,7 @@ final class DemoPage {
         DemoPage demo = new DemoPage();
         return new Page("haul-road-07.csv", "Simulated recording, 300 s at 60 Hz, 10 sensors · demonstration of the report",
                 List.of(demo.summary(), demo.histories(), demo.spectra(), demo.response(), demo.tracks(), demo.plane(),
-                demo.provenance()));
+                        demo.provenance()));
     }
 
     private Section summary() {
@@ -100,9 +100,9 @@ final class DemoPage {
                                         new XySeries("poles", poles, new double[] {0.55, 0.6, 0.7, 0.75},
                                                 new double[] {0.02, 0.02, 0.03, 0.01}, XySeries.Style.POINTS, XySeries.BY_NAME)))),
                 new BarChart("Error by channel", ChartAxis.linear("Error over signal", "%"), List.of("seat.acc.z", "head.acc.z"),
-                List.of(
-                        new BarChart.Bars("before", new double[] {24.3, 18.1}, 1),
-                        new BarChart.Bars("after", new double[] {1.5, 0.85}, 2)),
+                        List.of(
+                                new BarChart.Bars("before", new double[] {24.3, 18.1}, 1),
+                                new BarChart.Bars("after", new double[] {1.5, 0.85}, 2)),
                         "Lower is better."));
     }
 
@@ -139,7 +139,7 @@ final class DemoPage {
         return new Section("Spectra", "Welch's method, Hann windows of 8.5 s overlapping by half.",
                 new LineChart("Power spectral density", ChartAxis.log("Frequency", "Hz").within(0.5, 30),
                         ChartAxis.log("PSD", "(m/s²)²/Hz"), List.of(Series.line("platform.acc.z", f, in.density()),
-                        Series.line("head.acc.z", f, out.density()))),
+                                Series.line("head.acc.z", f, out.density()))),
                 new Heatmap("Spectrogram of head.acc.z", ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz").within(0, 20),
                         ChartAxis.linear("PSD", "dB re 1 (m/s²)²/Hz"), times, spectrogram.segmentation().frequencies(), values)
                         .grouped("time").noted("Blank columns touch missing samples."));

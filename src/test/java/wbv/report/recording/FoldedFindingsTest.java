@@ -58,7 +58,8 @@ class FoldedFindingsTest {
         assertEquals(List.of(Severity.FAULT, Severity.WARNING, Severity.WARNING, Severity.NOTE),
                 folded.stream().map(FoldedFindings.Line::severity).toList());
         assertEquals(findings.get(3).message(), folded.get(0).message(), "what is alone is said as it is");
-        assertTrue(folded.stream().anyMatch(each -> each.message().equals("2 channels never move: head.acc.z, seat.acc.z")), folded.toString());
+        assertTrue(folded.stream().anyMatch(each -> each.message().equals("2 channels never move: head.acc.z, seat.acc.z")),
+                folded.toString());
     }
 
     @Test

@@ -100,12 +100,14 @@ class BenchTest {
     @ParameterizedTest
     @CsvSource({"ACCELERATION", "VELOCITY", "POSITION"})
     void aLinearFitTakesUpWrongValues(Quantity quantity) {
-        Chain chain = new Chain(List.of("mass", "load"), new int[] {-1, 0}, new double[] {3, 1}, new double[] {5e4, 2e4}, new double[] {30, 12});
+        Chain chain = new Chain(List.of("mass", "load"), new int[] {-1, 0}, new double[] {3, 1}, new double[] {5e4, 2e4},
+                new double[] {30, 12});
         double[] hertz = chain.frequencies();
         Bench bench = new Bench(chain, 1, 'x', quantity, hertz[0], hertz[1], 12 * hertz[1], 12, false, 10, 1e-3);
         double[] drive = bench.drive(1, new Seeds(3).source("force"));
         ChainPlant.Trace trace = bench.run(bench.setup(drive), drive, true);
-        double[][] outputs = {bench.acquisition().rows(bench.felt(trace, 0, quantity)), bench.acquisition().rows(bench.felt(trace, 1, quantity))};
+        double[][] outputs = {bench.acquisition().rows(bench.felt(trace, 0, quantity)),
+            bench.acquisition().rows(bench.felt(trace, 1, quantity))};
         for (double left : bench.fit(bench.acquisition().rows(drive), outputs).left(chain.stiffer(1.1))) {
             assertTrue(left < 1e-4, "left " + left);
         }

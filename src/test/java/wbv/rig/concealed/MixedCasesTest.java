@@ -52,7 +52,8 @@ class MixedCasesTest {
     @Test
     void aLawOfABenchIsSealedAsItsForce() {
         ConcealedCase made = made(Setting.BENCH, "open.damping.rebound", false, 7);
-        double[][] rows = made.force().orElseThrow().lines().skip(1).map(line -> java.util.Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray())
+        double[][] rows = made.force().orElseThrow().lines().skip(1)
+                .map(line -> java.util.Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray())
                 .toArray(double[][]::new);
         assertEquals(made.recording().length(), rows.length);
         // A damper in rebound alone: where the link is compressed it does nothing but what the low-pass carries over.

@@ -79,8 +79,11 @@ class OpenRecipesTest {
         assertTrue(omission.parameters().size() >= 1 && omission.parameters().values().stream().allMatch(x -> x > 0), word);
         assertEquals(1, omission.law().size());
         for (Term.Factor factor : omission.law().get(0).factors()) {
-            assertTrue(Set.of("speed", "deflection", "acceleration", "load", "time", "tilt", "channel", "hidden mass").contains(factor.of()), word);
-            assertEquals(Set.of("load", "tilt", "channel").contains(factor.of()) || word.equals("open.muscle.two-joint"), !factor.at().isEmpty(), word);
+            assertTrue(
+                    Set.of("speed", "deflection", "acceleration", "load", "time", "tilt", "channel", "hidden mass").contains(factor.of()),
+                    word);
+            assertEquals(Set.of("load", "tilt", "channel").contains(factor.of()) || word.equals("open.muscle.two-joint"),
+                    !factor.at().isEmpty(), word);
         }
     }
 
@@ -107,6 +110,7 @@ class OpenRecipesTest {
             assertTrue(Arrays.stream(row).allMatch(Double::isFinite));
         }
         JsonNode law = key.get("mechanisms").get(0).get("law").get(0);
-        assertEquals("[{\"of\":\"channel\",\"at\":\"pelvis.acc.y\",\"as\":\"magnitude\"},{\"of\":\"speed\",\"as\":\"sign\"}]", law.get("factors").toString());
+        assertEquals("[{\"of\":\"channel\",\"at\":\"pelvis.acc.y\",\"as\":\"magnitude\"},{\"of\":\"speed\",\"as\":\"sign\"}]",
+                law.get("factors").toString());
     }
 }

@@ -65,8 +65,9 @@ class PlanarPlantTest {
         double swing = 0;
         for (int s = 0; s < energy.length; s++) {
             for (int i = 0; i < 3; i++) {
-                energy[s] += springs.mass()[i] / 2 * (sq(trace.state()[9 + 3 * i][s]) + sq(trace.state()[10 + 3 * i][s])) + springs.inertia()[i] / 2
-                        * sq(trace.state()[11 + 3 * i][s]);
+                energy[s] += springs.mass()[i] / 2 * (sq(trace.state()[9 + 3 * i][s]) + sq(trace.state()[10 + 3 * i][s]))
+                        + springs.inertia()[i] / 2
+                                * sq(trace.state()[11 + 3 * i][s]);
             }
             swing = Math.max(swing, energy[s]);
             for (int j = 0; j < springs.joints().size(); j++) {
@@ -153,13 +154,15 @@ class PlanarPlantTest {
         double c = lumbar.damping()[PlanarPerson.Z];
         setup.joint(person.joint("lumbar"), PlanarPerson.Z, h -> new Lugre(k, c, 30, 38, 0.005, 30 / 3e-5));
         int n = 4 * SECOND;
-        PlanarPlant.Base base = PlanarPlant.Base.of(UniformSeries.lines(n, 0.5, 8, 0, 0.4, new Seeds(5).source("x")), UniformSeries.lines(n, 0.5, 10, 0, 1, new Seeds(5).source("z")),
+        PlanarPlant.Base base = PlanarPlant.Base.of(UniformSeries.lines(n, 0.5, 8, 0, 0.4, new Seeds(5).source("x")),
+                UniformSeries.lines(n, 0.5, 10, 0, 1, new Seeds(5).source("z")),
                 UniformSeries.rate(UniformSeries.lines(n, 0.5, 5, -1, 0.01, new Seeds(5).source("pitch"))));
         double[][][] usual = new PlanarPlant(setup, PlanarPlant.FINE).run(base).felt();
         double[][][] finer = new PlanarPlant(setup, 2 * PlanarPlant.FINE).run(base).felt();
         for (int i = 0; i < 3; i++) {
             for (int q = 0; q < 3; q++) {
-                assertEquals(0, UniformSeries.rms(UniformSeries.less(usual[i][q], finer[i][q])), 1e-3 * UniformSeries.rms(finer[i][q]), "body " + i + ", channel " + q);
+                assertEquals(0, UniformSeries.rms(UniformSeries.less(usual[i][q], finer[i][q])), 1e-3 * UniformSeries.rms(finer[i][q]),
+                        "body " + i + ", channel " + q);
             }
         }
     }

@@ -45,7 +45,8 @@ class PlaneMotionTest {
             double[] expected = thinned(trace.felt()[body][felt]);
             double error = error(expected, outputs[o]);
             assertTrue(error < 5e-3, channel + ": " + error + " of it is missed, and by small motions " + error(expected, small[o]));
-            assertTrue(!channel.startsWith("head") || error < 0.3 * error(expected, small[o]), channel + ": " + error + ", by small motions " + error(expected, small[o]));
+            assertTrue(!channel.startsWith("head") || error < 0.3 * error(expected, small[o]),
+                    channel + ": " + error + ", by small motions " + error(expected, small[o]));
         }
         assertEquals(9, outputs.length);
     }

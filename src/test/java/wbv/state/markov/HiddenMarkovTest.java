@@ -53,7 +53,7 @@ class HiddenMarkovTest {
         double[][] rows = new double[60_000][2];
         int[] states = new HiddenMarkov(even, truth, emissions).sample(new Well19937c(71), rows);
         HiddenMarkov found = new BaumWelch(40, 1e-3, 0, CovarianceShape.FULL, 1e-6)
-                .fit(new HiddenMarkov(even, flat, begin), List.<double[][]>of(rows), share -> { }).model();
+                .fit(new HiddenMarkov(even, flat, begin), List.<double[][]>of(rows), share -> {}).model();
         double[] visits = new double[k];
         for (int t = 0; t < states.length - 1; t++) {
             visits[states[t]]++;
@@ -85,7 +85,7 @@ class HiddenMarkovTest {
         sequences.get(3)[10] = new double[] {Double.NaN, 1};
         for (double pseudo : new double[] {0, 0.3}) {
             List<Double> history = new BaumWelch(25, 0, pseudo, CovarianceShape.FULL, 1e-9)
-                    .fit(small(random), sequences, share -> { }).history();
+                    .fit(small(random), sequences, share -> {}).history();
             for (int i = 1; i < history.size(); i++) {
                 assertTrue(history.get(i) >= history.get(i - 1) - 1e-9, "round " + i + ": " + history);
             }
@@ -173,7 +173,7 @@ class HiddenMarkovTest {
         HiddenMarkov model = new HiddenMarkov(new double[] {1, 0}, new double[][] {{1, 0}, {0.5, 0.5}}, List.of(near, far));
         double[][] rows = new double[50][2];
         model.sample(new Well19937c(8), rows);
-        HiddenMarkov found = new BaumWelch(5, 0, 0, CovarianceShape.FULL, 1e-6).fit(model, List.<double[][]>of(rows), share -> { }).model();
+        HiddenMarkov found = new BaumWelch(5, 0, 0, CovarianceShape.FULL, 1e-6).fit(model, List.<double[][]>of(rows), share -> {}).model();
         assertArrayEquals(new double[] {0.5, 0.5}, found.transition()[1]);
         assertEquals(1e4, found.emissions().get(1).components().get(0).mean(0));
     }
@@ -198,14 +198,15 @@ class HiddenMarkovTest {
     @Test
     void constantChannelsAndMoreStatesThanSamplesAreDefined() {
         double[][] rows = {{1, 2}, {1, 2}, {1, 2}};
-        Mixture mixture = MessageLength.USUAL.fit(rows, new Well19937c(1), share -> { }).mixture();
+        Mixture mixture = MessageLength.USUAL.fit(rows, new Well19937c(1), share -> {}).mixture();
         assertEquals(1, mixture.size());
         assertEquals(1, mixture.components().get(0).mean(0), 1e-9);
         HiddenMarkov found = new BaumWelch(10, 0, 0.1, CovarianceShape.FULL, 1e-6)
-                .fit(small(new Well19937c(2)), List.<double[][]>of(rows, new double[][] {{3, 1}}), share -> { }).model();
+                .fit(small(new Well19937c(2)), List.<double[][]>of(rows, new double[][] {{3, 1}}), share -> {}).model();
         assertTrue(Double.isFinite(BaumWelch.logLikelihood(found, List.<double[][]>of(rows))));
-        assertThrows(IllegalArgumentException.class, () -> new BaumWelch(20, 1e-2, 0.1, CovarianceShape.FULL, 1e-6).fit(small(new Well19937c(2)),
-                List.<double[][]>of(new double[][] {{Double.NaN, 1}}), share -> { }));
+        assertThrows(IllegalArgumentException.class,
+                () -> new BaumWelch(20, 1e-2, 0.1, CovarianceShape.FULL, 1e-6).fit(small(new Well19937c(2)),
+                        List.<double[][]>of(new double[][] {{Double.NaN, 1}}), share -> {}));
     }
 
     @Test

@@ -48,6 +48,6 @@ enum ClassicalMixtures {
 
     /** The number of components found in a fresh sample. */
     int found(int seed) {
-        return MessageLength.USUAL.fit(rows(seed), new Well19937c(seed), share -> { }).mixture().size();
+        return MessageLength.USUAL.fit(rows(seed), new Well19937c(seed), share -> {}).mixture().size();
     }
 }

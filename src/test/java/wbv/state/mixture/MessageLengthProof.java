@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 /** Counts how many components minimum message length finds in the classical test mixtures, seed by seed. Argument: seeds. */
 public final class MessageLengthProof {
 
-    private MessageLengthProof() { }
+    private MessageLengthProof() {}
 
     public static void main(String[] words) {
         int seeds = Integer.parseInt(words[0]);

@@ -196,15 +196,15 @@ class MixtureTest {
         for (double[] row : rows) {
             row[1] *= 3;
         }
-        Mixture mixture = DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(4), share -> { });
+        Mixture mixture = DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(4), share -> {});
         for (int m = 0; m < 3; m++) {
             Gaussian gaussian = mixture.components().get(m);
             assertEquals(1.0 / 3, mixture.weights()[m], 0.05);
             assertEquals(0, Math.min(Math.abs(gaussian.mean(1)), Math.abs(Math.abs(gaussian.mean(1)) - 6)), 0.5);
         }
         double[][] few = Arrays.copyOf(rows, 90);
-        assertArrayEquals(DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> { }).weights(),
-                DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> { }).weights(),
+        assertArrayEquals(DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> {}).weights(),
+                DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> {}).weights(),
                 "the same seed gives the same mixture");
     }
 

@@ -25,8 +25,8 @@ public interface LinkPhysics {
     }
 
     /** Writes the rates of the inner states. @param into Modified at its own places. */
-    default void rates(double t, double r, double v, double[] y, int at, double[] into) { }
+    default void rates(double t, double r, double v, double[] y, int at, double[] into) {}
 
     /** The end of a step. @param t time [s] @param r extension [m] @param v its rate [m/s] */
-    default void commit(double t, double r, double v) { }
+    default void commit(double t, double r, double v) {}
 }

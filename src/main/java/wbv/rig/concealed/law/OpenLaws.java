@@ -8,7 +8,7 @@ import java.util.function.ToDoubleFunction;
  */
 public final class OpenLaws {
 
-    private OpenLaws() { }
+    private OpenLaws() {}
 
     /** c ρ² / (1 + ρ²/9) v, ρ = r/x: a damper that closes as it travels. @param c where ρ is about 1 [N s/m] @param x [m] */
     public static LinkPhysics travelDamping(double c, double x) {

@@ -3,7 +3,7 @@ package wbv.rig.concealed.law;
 /** Link forces without memory: each a spring and dashpot of which one part is no longer linear. */
 public final class Springs {
 
-    private Springs() { }
+    private Springs() {}
 
     /** A force of the present extension and rate. */
     @FunctionalInterface

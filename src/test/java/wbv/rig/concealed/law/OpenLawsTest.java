@@ -88,7 +88,8 @@ class OpenLawsTest {
     /** Two links of two bodies and one that nobody sees: positions first, then speeds. */
     @Test
     void aNeighbourIsReadFromTheStatesOfTheWhole() {
-        Chain chain = new Chain(List.of("seat", "torso"), new int[] {-1, 0}, new double[] {10, 40}, new double[] {1e5, 5e4}, new double[] {900, 700});
+        Chain chain = new Chain(List.of("seat", "torso"), new int[] {-1, 0}, new double[] {10, 40}, new double[] {1e5, 5e4},
+                new double[] {900, 700});
         double[] y = {1e-3, 3e-3, 9, 0.02, 0.05, 9};
         Neighbour upper = Neighbour.of(chain, 1, 3);
         assertEquals(2e-3, upper.deflection(y), 1e-15);
@@ -167,7 +168,8 @@ class OpenLawsTest {
         Setup inert = new Setup(light);
         inert.link(0, h -> new ParallelForce(5e4, C, OpenLaws.inerter(b)));
         double[] platform = UniformSeries.lines(2000, 1, 10, 0, 1, new Well19937c(5));
-        double[] expected = new ChainPlant(new Setup(heavy), UniformSeries.RATE, 4).run(UniformSeries.scaled(platform, m / (m + b)), UniformSeries.RATE).extension()[0];
+        double[] expected = new ChainPlant(new Setup(heavy), UniformSeries.RATE, 4)
+                .run(UniformSeries.scaled(platform, m / (m + b)), UniformSeries.RATE).extension()[0];
         assertArrayEquals(expected, new ChainPlant(inert, UniformSeries.RATE, 4).run(platform, UniformSeries.RATE).extension()[0], 1e-12);
     }
 
