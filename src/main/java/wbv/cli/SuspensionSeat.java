@@ -1,6 +1,7 @@
 package wbv.cli;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -23,20 +24,24 @@ import wbv.control.trial.Floor;
 import wbv.control.trial.Recovery;
 import wbv.control.trial.RoadFloor;
 import wbv.control.trial.Sitters;
+import wbv.recording.format.ReadOptions;
+import wbv.recording.format.RecordingFile;
+import wbv.report.seat.DampingPage;
 import wbv.report.seat.SeatPage;
 import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;
 import wbv.rig.Subject;
-import wbv.study.SeatStudy;
+import wbv.study.DampingTest;
+import wbv.study.seat.SeatStudy;
 
 /** {@code wbv seat}: controllers of a suspension seat compared at equal stroke. */
 @Command(name = "seat", mixinStandardHelpOptions = true,
-        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers "
-                + "that know the sitter not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes "
-                + "report.html and seat.json. The SEAT value of a recorded seat: wbv exposure.",
+        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers that know the sitter "
+                + "not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes report.html and seat.json. The SEAT "
+                + "value of a recorded ride: wbv exposure.",
         footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out",
             "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
-            "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100"})
+            "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100", "  wbv seat --recording shaker.csv --out out"})
 final class SuspensionSeat implements Callable<Integer> {
 
     @Option(names = "--floor", paramLabel = "FLOOR", split = ",", defaultValue = "EM1",
@@ -52,7 +57,7 @@ final class SuspensionSeat implements Callable<Integer> {
     private Optional<Double> mass = Optional.empty();
 
     @Option(names = "--controller", paramLabel = "NAME", split = ",",
-            description = "passive, skyhook, skyhook-on-off, clipped-lqg or active-lqg; several by commas (all)")
+            description = "passive, skyhook, skyhook-on-off, clipped-lqg, active-lqg or active-h-infinity; several by commas (all)")
     private List<String> controllers = new ArrayList<>();
 
     @Option(names = "--jolt", paramLabel = "M_PER_S2", defaultValue = "0", description = "height of a jolt every 10 s (${DEFAULT-VALUE})")
@@ -69,6 +74,11 @@ final class SuspensionSeat implements Callable<Integer> {
                     + "sitter; prints what became of them, writes nothing")
     private Optional<Integer> faults = Optional.empty();
 
+    @Option(names = "--recording", paramLabel = "FILE",
+            description = "instead: resonance, transmissibility there, damping ratio and SEAT of a passive seat on a "
+                    + "shaker, from a recording of floor (platform.acc.z) and seat (seat.acc.z)")
+    private Optional<Path> recording = Optional.empty();
+
     @Mixin
     private ResultFolder out;
 
@@ -83,6 +93,9 @@ final class SuspensionSeat implements Callable<Integer> {
         if (faults.isPresent()) {
             return endure(faults.get());
         }
+        if (recording.isPresent()) {
+            return test(recording.get());
+        }
         Comparison.Request request = request();
         Map<String, String> provenance = new ResultProvenance(spec).entries();
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
@@ -91,6 +104,18 @@ final class SuspensionSeat implements Callable<Integer> {
             folder.publish();
             bar.close();
             answer.print(study.summary(), "Wrote " + out.file("report.html") + ", seat.json\n", () -> ResultsJson.render(study.results()));
+        }
+        return 0;
+    }
+
+    private int test(Path file) throws IOException {
+        Map<String, String> provenance = new ResultProvenance(spec).entries();
+        String title = file.getFileName().toString();
+        try (OutputFolder folder = out.open()) {
+            DampingTest test = DampingTest.run(new RecordingFile(file, ReadOptions.DEFAULT), title, provenance, folder);
+            DampingPage.write(test, title, provenance, folder);
+            folder.publish();
+            answer.print(test.summary(), "Wrote " + out.file("report.html") + ", seat.json\n", () -> ResultsJson.render(test));
         }
         return 0;
     }
@@ -115,8 +140,9 @@ final class SuspensionSeat implements Callable<Integer> {
             endured = new Endured(endurance,
                     Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
-                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(),
-                        each.seconds(), each.later()));
+                text.append(String.format(Locale.ROOT, "  %-4s %-18s %5.1f s %7.3f%n", each.floor().word(), each.family().word(),
+                        each.seconds(),
+                        each.later()));
             }
         }
         answer.print(text.toString().replace(System.lineSeparator(), "\n"), "", () -> ResultsJson.render(endured));

@@ -36,6 +36,7 @@ public final class DiscreteRiccati {
     private final LinearSolverDense<DMatrixRMaj> solver;
     private int doublings;
     private boolean solved;
+    private boolean failed;
 
     /** Room for equations of one order. @param n order, &gt;= 1 */
     public DiscreteRiccati(int n) {
@@ -54,7 +55,8 @@ public final class DiscreteRiccati {
     /**
      * A new equation.
      *
-     * @param a0 A, n by n. Not modified. @param g0 G, n by n, symmetric, &gt;= 0. Not modified. @param h0 H, likewise. Not modified.
+     * @param a0 A, n by n. Not modified. @param g0 G, n by n, symmetric, &gt;= 0 but in a game against what shakes. Not modified.
+     * @param h0 H, n by n, symmetric, &gt;= 0. Not modified.
      */
     public void begin(DMatrixRMaj a0, DMatrixRMaj g0, DMatrixRMaj h0) {
         a.setTo(a0);
@@ -62,16 +64,16 @@ public final class DiscreteRiccati {
         h.setTo(h0);
         doublings = 0;
         solved = false;
+        failed = false;
     }
 
     /**
      * One doubling.
      *
-     * @return whether the solution is found
-     * @throws ArithmeticException if there is no stabilising solution
+     * @return whether the work is over, with a solution or without one
      */
     public boolean advance() {
-        if (solved) {
+        if (solved || failed) {
             return true;
         }
         CommonOps_DDRM.mult(g, h, w);
@@ -79,17 +81,18 @@ public final class DiscreteRiccati {
             w.add(i, i, 1);
         }
         if (!solver.setA(w) || ++doublings > MOST) {
-            throw new ArithmeticException("the Riccati equation has no stabilising solution (after " + doublings + " doublings)");
+            failed = true;
+            return true;
         }
         solver.invert(inverse);
         CommonOps_DDRM.mult(inverse, a, p);       // W⁻¹ A
         CommonOps_DDRM.mult(h, p, q);             // H W⁻¹ A
         CommonOps_DDRM.multTransA(a, q, r);       // Aᵀ H W⁻¹ A
         symmetrise(r);
-        boolean finite = Double.isFinite(NormOps_DDRM.fastNormF(r));
         double step = NormOps_DDRM.fastNormF(r);
         CommonOps_DDRM.addEquals(h, r);
-        solved = step <= CONVERGED * NormOps_DDRM.fastNormF(h);
+        failed = !Double.isFinite(step);
+        solved = !failed && step <= CONVERGED * NormOps_DDRM.fastNormF(h);
         CommonOps_DDRM.mult(inverse, g, q);       // W⁻¹ G
         CommonOps_DDRM.multTransB(q, a, r);       // W⁻¹ G Aᵀ
         CommonOps_DDRM.mult(a, r, q);
@@ -97,16 +100,19 @@ public final class DiscreteRiccati {
         CommonOps_DDRM.addEquals(g, q);
         CommonOps_DDRM.mult(a, p, q);             // A W⁻¹ A
         a.setTo(q);
-        if (!finite) {
-            throw new ArithmeticException("the Riccati equation has no stabilising solution (after " + doublings + " doublings)");
-        }
+        return solved || failed;
+    }
+
+    /** Whether there is a stabilising solution and it is found. */
+    public boolean solved() {
         return solved;
     }
 
-    /** X, symmetric. The object is the solver's and changes with the next equation. */
+    /** X, symmetric. The object is the solver's and changes with the next equation. @throws IllegalStateException if it is not {@link #solved()} */
     public DMatrixRMaj solution() {
         if (!solved) {
-            throw new IllegalStateException("the Riccati equation is not solved yet");
+            throw new IllegalStateException(
+                    "the Riccati equation has no stabilising solution, or not yet (after " + doublings + " doublings)");
         }
         return h;
     }

@@ -3,11 +3,11 @@ package wbv.control;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 
-/** An {@link OptimalDesign} in use: its observer and its gain, in flat arrays. */
+/** A {@link SeatDesign} in use: its observer and its gain, in flat arrays. */
 final class OptimalGains {
 
-    private static final int N = OptimalDesign.N;
-    private static final int SENSORS = OptimalDesign.SENSORS;
+    private static final int N = SeatModel.N;
+    private static final int SENSORS = SeatModel.SENSORS;
 
     private final double[] a = new double[N * N];
     private final double[] b = new double[N];
@@ -17,12 +17,17 @@ final class OptimalGains {
     private final double[] x = new double[N];
     private final double[] moved = new double[N];
 
-    void set(DMatrixRMaj newA, DMatrixRMaj newB, DMatrixRMaj newC, DMatrixRMaj newK, DMatrixRMaj newL) {
-        System.arraycopy(newA.data, 0, a, 0, a.length);
-        System.arraycopy(newB.data, 0, b, 0, b.length);
-        System.arraycopy(newC.data, 0, c, 0, c.length);
-        System.arraycopy(newK.data, 0, k, 0, k.length);
-        System.arraycopy(newL.data, 0, l, 0, l.length);
+    /** A design that is ready; the states stay. */
+    void take(SeatModel model, SeatDesign design) {
+        copy(design.foresight(), a);
+        copy(model.b(), b);
+        copy(model.c(), c);
+        copy(design.gain(), k);
+        copy(design.correction(), l);
+    }
+
+    private static void copy(DMatrixRMaj from, double[] to) {
+        System.arraycopy(from.data, 0, to, 0, to.length);
     }
 
     /** Corrects the foreseen states by what the sensors read; NaN corrects nothing. */

@@ -1,8 +1,8 @@
 package wbv.control;
 
 /**
- * The linear quadratic Gaussian controller of an {@link OptimalDesign}, with an actuator, or clipped to what an adjustable damper can
- * do of it. It designs itself anew, a doubling a sample, whenever its source tells of another sitter.
+ * Observes the seat's states and asks for the force that costs least, in the mean or at worst, of an actuator, or, clipped to what it
+ * can do of it, of an adjustable damper. It designs itself anew, a doubling a sample, whenever its source tells of another sitter.
  *
  * <p>A lost reading is foreseen. While frame or deflection, or with a damper the floor, are silent for longer than
  * {@value #PATIENCE_MS} ms, it is a passive seat. An actuator that sings loses authority.
@@ -15,6 +15,14 @@ public final class OptimalSeat implements SeatController {
         DAMPER,
         /** A force within its limits, beside a damper that is left alone. */
         ACTUATOR
+    }
+
+    /** What is made least. */
+    public enum Aim {
+        /** The mean cost: linear quadratic Gaussian. */
+        MEAN,
+        /** The cost of the worst that floor, friction and sensors can do: H∞. */
+        WORST
     }
 
     /** Damping beside an actuator, and of any seat whose sensors are silent [N·s/m]; assumed. */
@@ -33,9 +41,10 @@ public final class OptimalSeat implements SeatController {
     private final Drive drive;
     private final double base;
     private final SitterSource sitter;
-    private final OptimalDesign design;
+    private final SeatModel model;
+    private final SeatDesign design;
     private final OptimalGains gains = new OptimalGains();
-    private final RelativeMotion relative = new RelativeMotion();
+    private final RelativeMotion relative;
     private final SingingGuard guard = new SingingGuard();
     private final double[] designed = new double[4];
     private boolean designing;
@@ -43,13 +52,18 @@ public final class OptimalSeat implements SeatController {
     private long withoutDeflection;
     private long withoutFloor;
 
-    /** At rest. @param price of stroke, as {@link OptimalDesign} has it @param sitter owned by the controller from now on */
-    public OptimalSeat(SeatHardware hardware, Drive drive, FloorBand floor, double price, SitterSource sitter) {
+    /** At rest. @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0 @param sitter owned by the controller from now on */
+    public OptimalSeat(SeatHardware hardware, Drive drive, Aim aim, FloorBand floor, double price, SitterSource sitter) {
         this.hardware = hardware;
         this.drive = drive;
         this.base = drive == Drive.DAMPER ? hardware.leastDamping() : BESIDE;
         this.sitter = sitter;
-        this.design = new OptimalDesign(hardware, base, floor, price);
+        this.relative = new RelativeMotion(hardware);
+        this.model = new SeatModel(hardware, floor, price);
+        this.design = switch (aim) {
+            case MEAN -> new MeanDesign(model, base);
+            case WORST -> new WorstDesign(model, base);
+        };
         begin();
         while (designing) {
             advance();
@@ -118,12 +132,10 @@ public final class OptimalSeat implements SeatController {
 
     /** A design that does not come about leaves the last one. */
     private void advance() {
-        try {
-            if (design.advance()) {
-                design.read(gains);
-                designing = false;
+        if (design.advance()) {
+            if (design.ready()) {
+                gains.take(model, design);
             }
-        } catch (ArithmeticException none) {
             designing = false;
         }
     }

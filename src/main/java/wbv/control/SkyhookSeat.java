@@ -20,7 +20,7 @@ public final class SkyhookSeat implements SeatController {
     private final SeatHardware hardware;
     private final Kind kind;
     private final double gain;
-    private final RelativeMotion relative = new RelativeMotion();
+    private final RelativeMotion relative;
     private double mean;
     private double velocity;
     private double last;
@@ -33,6 +33,7 @@ public final class SkyhookSeat implements SeatController {
         this.hardware = hardware;
         this.kind = kind;
         this.gain = gain;
+        this.relative = new RelativeMotion(hardware);
     }
 
     @Override

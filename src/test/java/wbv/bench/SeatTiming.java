@@ -35,11 +35,16 @@ public final class SeatTiming {
         ApparentSitter middle = new ApparentSitter(5, 60, 5, 0.35);
         SitterPrior prior = SitterPrior.wide(middle, 4.8, 0.35);
         print("skyhook", new SkyhookSeat(seat, SkyhookSeat.Kind.CONTINUOUS, 1500));
-        print("active-lqg, fixed", new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, floor, 0.4, new ToldSitter(middle)));
-        print("active-lqg, scheduled", new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, floor, 0.4, new FollowedSitter(seat, prior)));
+        print("active-lqg, fixed",
+                new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new ToldSitter(middle)));
+        print("active-lqg, scheduled",
+                new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, new FollowedSitter(seat, prior)));
         ToldSitter restless = new ToldSitter(middle);
-        SeatController designing = new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, floor, 0.4, restless);
+        SeatController designing = new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, floor, 0.4, restless);
         print("active-lqg, always designing", designing, i -> restless.tell(middle, 1 + 0.2 * Math.sin(0.1 * i)));
+        ToldSitter another = new ToldSitter(middle);
+        SeatController searching = new OptimalSeat(seat, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.WORST, floor, 0.4, another);
+        print("active-h-infinity, always designing", searching, i -> another.tell(middle, 1 + 0.2 * Math.sin(0.1 * i)));
     }
 
     private static void print(String name, SeatController controller) {

@@ -29,6 +29,21 @@ class SuspensionSeatTest {
         assertTrue(Files.readString(out.resolve("seat.json")).contains("\"simulated\" : true"));
     }
 
+    /** A person on a cushion is no inert mass on a suspension: the figures are there, and what they are worth. */
+    @Test
+    void testsARecordedSeat() throws IOException {
+        Path out = room.resolve("out");
+        Run run = Run.of("seat", "--recording", "data/arff/ride-subject1.arff", "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("platform.acc.z to seat.acc.z") && run.out().contains("(assumed)"), run.out());
+        assertTrue(Files.readString(out.resolve("report.html")).contains("ISO 10326-1"));
+        assertTrue(Files.readString(out.resolve("seat.json")).contains("\"wbv-seat-test\""));
+        Run none = Run.of("seat", "--recording", "data/arff/one-dof-linear.arff", "--out", room.resolve("none").toString());
+        assertEquals(1, none.code());
+        assertTrue(none.err().contains("a test of a seat needs its sensor"), none.err());
+        assertFalse(Files.exists(room.resolve("none")));
+    }
+
     @ParameterizedTest
     @CsvSource({"--floor, EM10, EM1 to EM9", "--floor, road:C, road:CLASS:KM_PER_H", "--floor, road:C:900, 0 to 200 km/h",
         "--mass, 5, 30 to 200 kg",

@@ -44,8 +44,9 @@ class ControllersTest {
     private static List<SeatController> all() {
         return List.of(new PassiveSeat(SEAT, 500), new SkyhookSeat(SEAT, SkyhookSeat.Kind.CONTINUOUS, 1500), new SkyhookSeat(SEAT,
                 SkyhookSeat.Kind.ON_OFF, 900),
-                new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, FLOOR, 0.4, new FollowedSitter(SEAT, prior())),
-                new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, FLOOR, 0.4, new FollowedSitter(SEAT, prior())));
+                new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, OptimalSeat.Aim.MEAN, FLOOR, 0.4, new FollowedSitter(SEAT, prior())),
+                new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, FLOOR, 0.4, new FollowedSitter(SEAT, prior())),
+                new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.WORST, FLOOR, 0.4, new FollowedSitter(SEAT, prior())));
     }
 
     @Test
@@ -60,9 +61,9 @@ class ControllersTest {
     @Test
     void nothingIsAllocatedForASampleNorForANewDesign() {
         var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-        for (OptimalSeat.Drive drive : OptimalSeat.Drive.values()) {
+        for (OptimalSeat.Aim aim : OptimalSeat.Aim.values()) {
             ToldSitter sitter = new ToldSitter(MIDDLE);
-            SeatController controller = new OptimalSeat(SEAT, drive, FLOOR, 0.4, sitter);
+            SeatController controller = new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, aim, FLOOR, 0.4, sitter);
             SeatReadings readings = new SeatReadings();
             SeatCommand command = new SeatCommand();
             ApparentSitter other = MIDDLE.times(0.8, 0.9, 1);
@@ -88,7 +89,7 @@ class ControllersTest {
     @Test
     void aSilentFrameMakesItAPassiveSeat() {
         for (OptimalSeat.Drive drive : OptimalSeat.Drive.values()) {
-            SeatController controller = new OptimalSeat(SEAT, drive, FLOOR, 0.4, new ToldSitter(MIDDLE));
+            SeatController controller = new OptimalSeat(SEAT, drive, OptimalSeat.Aim.MEAN, FLOOR, 0.4, new ToldSitter(MIDDLE));
             SeatCommand command = new SeatCommand();
             SeatReadings readings = new SeatReadings();
             for (int i = 0; i < 30; i++) {
@@ -104,8 +105,8 @@ class ControllersTest {
     void aSilentFloorMakesADamperAPassiveSeatAndLeavesTheActuatorToWork() {
         SeatCommand damper = new SeatCommand();
         SeatCommand actuator = new SeatCommand();
-        SeatController clipped = new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, FLOOR, 0.4, new ToldSitter(MIDDLE));
-        SeatController active = new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, FLOOR, 0.4, new ToldSitter(MIDDLE));
+        SeatController clipped = new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, OptimalSeat.Aim.MEAN, FLOOR, 0.4, new ToldSitter(MIDDLE));
+        SeatController active = new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, FLOOR, 0.4, new ToldSitter(MIDDLE));
         SeatReadings readings = new SeatReadings();
         for (int i = 0; i < 30; i++) {
             readings.set(Double.NaN, 1, 0.01, 780, 1);
@@ -173,7 +174,7 @@ class ControllersTest {
     /** The design's weighting against the exact one, over the band in which seats are judged. */
     @Test
     void weightingOfSecondOrderIsNearWk() {
-        double[] w = OptimalDesign.WEIGHTING;
+        double[] w = SeatModel.WEIGHTING;
         for (double f = 1; f <= 20; f += 0.5) {
             double s = 2 * Math.PI * f;
             double modulus = Math.hypot(w[0], w[1] * s) / Math.hypot(w[2] - s * s, w[3] * s);
@@ -183,21 +184,40 @@ class ControllersTest {
 
     /** The closed loop of the design's own model dies out. */
     @ParameterizedTest
-    @EnumSource(OptimalSeat.Drive.class)
-    void theDesignHoldsItsOwnSeatAtRest(OptimalSeat.Drive drive) {
-        double base = drive == OptimalSeat.Drive.DAMPER ? SEAT.leastDamping() : OptimalSeat.BESIDE;
-        OptimalDesign design = new OptimalDesign(SEAT, base, FLOOR, 0.4);
+    @EnumSource(OptimalSeat.Aim.class)
+    void theDesignHoldsItsOwnSeatAtRest(OptimalSeat.Aim aim) {
+        SeatModel model = new SeatModel(SEAT, FLOOR, 0.4);
+        SeatDesign design = aim == OptimalSeat.Aim.MEAN ? new MeanDesign(model, SEAT.leastDamping())
+                : new WorstDesign(model, OptimalSeat.BESIDE);
         OptimalGains gains = new OptimalGains();
         design.begin(new ToldSitter(MIDDLE));
         while (!design.advance()) {
             // a doubling at a time
         }
-        design.read(gains);
+        assertTrue(design.ready());
+        gains.take(model, design);
         gains.correct(0.03, 2, -1);
         assertTrue(Math.abs(gains.force()) > 1, "a seat off its middle asks for a force");
         for (int i = 0; i < 5000; i++) {
             gains.foresee(gains.force());
         }
         assertEquals(0, gains.force(), 1e-6);
+    }
+
+    /** A damper that is late does not grasp at a rate that will have turned: the same mean force, but none of the spikes where the rate is nothing. */
+    @Test
+    void aLateDamperAsksForNoMoreThanTheRateWillGive() {
+        RelativeMotion motion = new RelativeMotion(SEAT);
+        SeatReadings readings = new SeatReadings();
+        double w = 2 * Math.PI * 7.6;
+        double most = 0;
+        for (int i = 0; i < 2500; i++) {
+            double swing = Math.sin(w * i / SeatController.RATE);
+            readings.set(0, 2 * swing, -2 * swing / (w * w), 780, 0);
+            motion.step(readings);
+            most = i < 1250 ? 0 : Math.max(most, Math.abs(motion.damping(100)));
+        }
+        double sigma = (SEAT.delay() + SEAT.lag()) * 2 / Math.sqrt(2);
+        assertEquals(100 / (2 * sigma), most, 0.1 * 100 / (2 * sigma), "v / (v² + σ²) is 1 / (2 σ) at most");
     }
 }

@@ -83,7 +83,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
                     all.stream().mapToDouble(Front.AtStroke::head).sum() / n, all.stream().mapToDouble(Front.AtStroke::strokeRms).sum() / n,
                     all.stream().mapToDouble(Front.AtStroke::strokeMost).max().orElseThrow(),
                     all.stream().mapToDouble(Front.AtStroke::stopHits).sum() / n,
-                    all.stream().mapToDouble(Front.AtStroke::power).sum() / n));
+                    all.stream().mapToDouble(Front.AtStroke::power).sum() / n, all.stream().mapToDouble(Front.AtStroke::force).sum() / n));
         }
     }
 

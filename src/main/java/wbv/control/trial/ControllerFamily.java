@@ -20,7 +20,9 @@ public enum ControllerFamily {
     /** By the price of stroke. */
     CLIPPED("clipped-lqg", "semi-active damper, linear quadratic Gaussian, clipped", "(m/s²)² for 20 mm", true, 0.05, 0.4, 3, 20, 120),
     /** By the price of stroke. */
-    ACTIVE("active-lqg", "actuator, linear quadratic Gaussian", "(m/s²)² for 20 mm", true, 0.05, 0.4, 3, 20, 120);
+    ACTIVE("active-lqg", "actuator, linear quadratic Gaussian", "(m/s²)² for 20 mm", true, 0.05, 0.4, 3, 20, 120),
+    /** By the price of stroke. */
+    WORST("active-h-infinity", "actuator, H∞", "(m/s²)² for 20 mm", true, 0.05, 0.4, 3, 20, 120);
 
     private final String word;
     private final String description;
@@ -67,9 +69,14 @@ public enum ControllerFamily {
             case PASSIVE -> new PassiveSeat(maker.hardware(), tuning);
             case SKYHOOK -> new SkyhookSeat(maker.hardware(), SkyhookSeat.Kind.CONTINUOUS, tuning);
             case ON_OFF -> new SkyhookSeat(maker.hardware(), SkyhookSeat.Kind.ON_OFF, tuning);
-            case CLIPPED -> new OptimalSeat(maker.hardware(), OptimalSeat.Drive.DAMPER, maker.floor().band(), tuning, sitter);
-            case ACTIVE -> new OptimalSeat(maker.hardware(), OptimalSeat.Drive.ACTUATOR, maker.floor().band(), tuning, sitter);
+            case CLIPPED -> optimal(maker, OptimalSeat.Drive.DAMPER, OptimalSeat.Aim.MEAN, tuning, sitter);
+            case ACTIVE -> optimal(maker, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.MEAN, tuning, sitter);
+            case WORST -> optimal(maker, OptimalSeat.Drive.ACTUATOR, OptimalSeat.Aim.WORST, tuning, sitter);
         };
+    }
+
+    private static SeatController optimal(Maker maker, OptimalSeat.Drive drive, OptimalSeat.Aim aim, double tuning, SitterSource sitter) {
+        return new OptimalSeat(maker.hardware(), drive, aim, maker.floor().band(), tuning, sitter);
     }
 
     /** All as the command line calls them. */

@@ -21,7 +21,9 @@ import wbv.rig.platform.Seeds;
  */
 public record Endurance(Map<String, Case> cases) {
 
-    /** Of the linear quadratic Gaussian controllers: comfort before stroke. */
+    private static final List<
+            ControllerFamily> FAMILIES = List.of(ControllerFamily.CLIPPED, ControllerFamily.ACTIVE, ControllerFamily.WORST);
+    /** Of their stroke: comfort before it. */
     private static final double PRICE = 0.4;
     private static final double SETTLE = 3;
     private static final double SECONDS = 12;
@@ -68,7 +70,7 @@ public record Endurance(Map<String, Case> cases) {
             Maker maker = makers.computeIfAbsent(floor, each -> new Maker(hardware, each, 1));
             Subject sitter = sitters.get(random.nextInt(sitters.size()));
             Fault fault = Fault.values()[i % Fault.values().length];
-            ControllerFamily family = random.nextBoolean() ? ControllerFamily.ACTIVE : ControllerFamily.CLIPPED;
+            ControllerFamily family = FAMILIES.get(random.nextInt(FAMILIES.size()));
             SeatTrial trial = new SeatTrial(hardware,
                     new Ride(fault == Fault.CHANGE ? Sitters.ofMass(75) : sitter, floor, SETTLE, SECONDS, first + i)
                             .with(faults(fault)));
@@ -98,7 +100,7 @@ public record Endurance(Map<String, Case> cases) {
         List<Recovery> all = new ArrayList<>();
         for (EarthMover floor : EarthMover.values()) {
             Maker maker = new Maker(hardware, floor, seed);
-            for (ControllerFamily family : List.of(ControllerFamily.CLIPPED, ControllerFamily.ACTIVE)) {
+            for (ControllerFamily family : FAMILIES) {
                 all.add(Recovery.of(maker, family, PRICE, seed));
             }
             progress.accept((floor.ordinal() + 1.0) / EarthMover.values().length);

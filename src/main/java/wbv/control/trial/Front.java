@@ -18,23 +18,20 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
     /**
      * At a given stroke.
      *
-     * @param seat SEAT
-     * @param head the same of the head
-     * @param strokeRms [m]
-     * @param strokeMost [m]
-     * @param stopHits mean number
-     * @param power [W]
+     * @param seat SEAT @param head the same of the head @param strokeRms [m] @param strokeMost [m] @param stopHits mean number @param power [W]
+     * @param force of the actuator, r.m.s. [N]
      */
-    public record AtStroke(double seat, double head, double strokeRms, double strokeMost, double stopHits, double power) {
+    public record AtStroke(double seat, double head, double strokeRms, double strokeMost, double stopHits, double power, double force) {
 
         private static AtStroke of(TrialResult r) {
-            return new AtStroke(r.seat(), r.head(), r.strokeRms(), r.strokeMost(), r.stopHits(), r.power());
+            return new AtStroke(r.seat(), r.head(), r.strokeRms(), r.strokeMost(), r.stopHits(), r.power(), r.forceRms());
         }
 
         private static AtStroke between(TrialResult a, TrialResult b, double stroke) {
             double share = Math.log(stroke / a.strokeRms()) / Math.log(b.strokeRms() / a.strokeRms());
             return new AtStroke(mix(a.seat(), b.seat(), share), mix(a.head(), b.head(), share), stroke,
-                    mix(a.strokeMost(), b.strokeMost(), share), mix(a.stopHits(), b.stopHits(), share), mix(a.power(), b.power(), share));
+                    mix(a.strokeMost(), b.strokeMost(), share),
+                    mix(a.stopHits(), b.stopHits(), share), mix(a.power(), b.power(), share), mix(a.forceRms(), b.forceRms(), share));
         }
 
         private static double mix(double a, double b, double share) {

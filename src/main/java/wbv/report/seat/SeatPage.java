@@ -29,7 +29,7 @@ import wbv.report.page.XyChart;
 import wbv.report.page.XySeries;
 import wbv.result.Digits;
 import wbv.result.OutputFolder;
-import wbv.study.SeatStudy;
+import wbv.study.seat.SeatStudy;
 
 /** What controllers make of a suspension seat: comfort over stroke, by floor, by sitter. */
 public final class SeatPage {
@@ -68,34 +68,41 @@ public final class SeatPage {
         return new Page("Suspension seat", "simulated; " + riders, sections);
     }
 
+    /** As many as colours can tell apart: those that know nobody, and the scheduled ones; the tables hold all. */
+    private List<Comparison.Entrant> drawn() {
+        return entrants.stream().filter(entrant -> entrant.knowledge() == Knowledge.SCHEDULED || entrant.family().knowledge().size() == 1)
+                .toList();
+    }
+
     private Section byFloor() {
         List<Block> blocks = new ArrayList<>(List.of(new Lead(study.sentence())));
         List<String> floors = comparison.floors().stream().map(on -> on.floor().word()).toList();
         List<BarChart.Bars> bars = new ArrayList<>();
-        for (Comparison.Entrant entrant : entrants) {
-            if (entrant.knowledge() != Knowledge.ORACLE) {
-                bars.add(new BarChart.Bars(entrant.words(), comparison.floors().stream()
-                        .mapToDouble(on -> on.mean(entrant).map(Front.AtStroke::seat).orElse(Double.NaN)).toArray(), bars.size() % 8));
-            }
+        for (Comparison.Entrant entrant : drawn()) {
+            bars.add(new BarChart.Bars(entrant.words(), comparison.floors().stream()
+                    .mapToDouble(on -> on.mean(entrant).map(Front.AtStroke::seat).orElse(Double.NaN)).toArray(), bars.size() % 8));
         }
         blocks.add(
                 new BarChart("SEAT at equal stroke, mean of all sitters", ChartAxis.linear("SEAT", "").within(0, Double.NaN), floors, bars,
-                        "No bar: the controller needs more stroke than the skyhook at all its tunings."));
+                        "No bar: the controller needs more stroke than the skyhook at all its tunings. Fixed ones and oracles: below."));
         List<List<String>> rows = new ArrayList<>();
         for (Comparison.OnFloor on : comparison.floors()) {
             for (Comparison.Entrant entrant : entrants) {
-                on.mean(entrant).ifPresent(mean -> rows.add(List.of(on.floor().word(),
-                        SeatStudy.limit(on).isEmpty() ? "–" : "< " + SeatStudy.limit(on),
-                        entrant.words(), Digits.rounded(mean.seat(), 3), Digits.rounded(mean.head(), 3),
-                        Digits.rounded(1e3 * mean.strokeRms(), 1),
-                        Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1), Digits.rounded(mean.power(), 1))));
+                on.mean(entrant).ifPresent(
+                        mean -> rows.add(List.of(on.floor().word(), SeatStudy.limit(on).isEmpty() ? "–" : "< " + SeatStudy.limit(on),
+                                entrant.words(), Digits.rounded(mean.seat(), 3), Digits.rounded(mean.head(), 3),
+                                Digits.rounded(1e3 * mean.strokeRms(), 1),
+                                Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1),
+                                Digits.rounded(mean.force(), 0), Digits.rounded(mean.power(), 1))));
             }
         }
-        blocks.add(new Table("At equal stroke; greatest stroke of all sitters, means of all else", List.of(Table.Column.words("Floor"),
-                Table.Column.numbers("Limit (assumed)"), Table.Column.words("Controller"), Table.Column.numbers("SEAT"),
-                Table.Column.numbers("Head / floor"),
-                Table.Column.numbers("Stroke r.m.s. [mm]"), Table.Column.numbers("Greatest [mm]"), Table.Column.numbers("Stops reached"),
-                Table.Column.numbers("Power in [W]")), rows));
+        blocks.add(new Table("At equal stroke, r.m.s. of stroke and force; greatest stroke of all sitters, means of all else",
+                List.of(Table.Column.words("Floor"),
+                        Table.Column.numbers("Limit"), Table.Column.words("Controller"), Table.Column.numbers("SEAT"),
+                        Table.Column.numbers("Head / floor"),
+                        Table.Column.numbers("Stroke [mm]"), Table.Column.numbers("Greatest [mm]"), Table.Column.numbers("Stops"),
+                        Table.Column.numbers("Force [N]"), Table.Column.numbers("Power [W]")),
+                rows));
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> blocks.add(new Text(gain.words(family) + ".")));
         }
@@ -110,13 +117,11 @@ public final class SeatPage {
         List<Block> blocks = new ArrayList<>();
         for (Comparison.OnSitter sitter : on.sitters().subList(0, Math.min(DRAWN, on.sitters().size()))) {
             List<XySeries> series = new ArrayList<>();
-            for (Comparison.Entrant entrant : entrants) {
+            for (Comparison.Entrant entrant : drawn()) {
                 List<TrialResult> points = sitter.front(entrant).points().stream().map(Front.Point::result)
                         .sorted(Comparator.comparingDouble(TrialResult::strokeRms)).toList();
                 series.add(new XySeries(entrant.words(), points.stream().mapToDouble(r -> 1e3 * r.strokeRms()).toArray(),
-                        points.stream().mapToDouble(TrialResult::seat).toArray(),
-                        entrant.knowledge() == Knowledge.ORACLE ? XySeries.Style.DASHED
-                                : XySeries.Style.LINE));
+                        points.stream().mapToDouble(TrialResult::seat).toArray(), XySeries.Style.LINE));
             }
             double most = series.stream().flatMapToDouble(each -> Arrays.stream(each.y())).max().orElse(1);
             series.add(
@@ -127,7 +132,7 @@ public final class SeatPage {
         }
         blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", ChartAxis.linear("frequency", "Hz"),
                 ChartAxis.linear("|H1|", "").within(0, Double.NaN),
-                on.transmissibility().stream().filter(each -> each.entrant().knowledge() != Knowledge.ORACLE)
+                on.transmissibility().stream().filter(each -> drawn().contains(each.entrant()))
                         .map(each -> Series.line(each.entrant().words(), each.frequency(), each.modulus())).toList())
                 .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor "
                         + "hardly shakes."));

@@ -5,20 +5,21 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * The linear quadratic Gaussian design of a seat for one sitter: the seat's equations with an {@link ApparentSitter} on it, the floor
- * as a {@link FloorBand} and the weighting Wk, sampled; the gain that minimises
+ * What the designs of a seat's controller start from: the seat's equations with an {@link ApparentSitter} on it, the floor as a
+ * {@link FloorBand} and the weighting Wk, sampled; the cost of a sample,
  *
  * <pre>
- * E[ (Wk a)² + price (d / 20 mm)² + (u / 150 N)² ]
+ * (Wk a)² + price (d / 20 mm)² + (u / (carried mass · 2 m/s²))²
  * </pre>
  *
- * with a the frame's acceleration [m/s²], d the deflection and u the force asked for; and the observer that finds the states from
- * deflection, floor and frame. Two Riccati equations, a doubling at each {@link #advance}; nothing is allocated after the first design.
+ * with a the frame's acceleration [m/s²], d the deflection and u the force asked for; and how much of all that is not known. The
+ * force is priced by the acceleration that it gives to what is carried, so that the same wishes hold whoever sits there. Nothing is
+ * allocated but by the constructor.
  *
  * <p>States: d, d', stretch e of the sitter's spring, e', force f of actuator or damper, two of the floor (the first is its
  * acceleration), two of the weighting. {@code (m + m₀) a = -k d - c d' + k₁ e + c₁ e' + f}.
  */
-public final class OptimalDesign {
+final class SeatModel {
 
     /** States. */
     static final int N = 9;
@@ -35,7 +36,8 @@ public final class OptimalDesign {
     /** What a state is of the order of: m, m/s, m, m/s, N, m/s², m/s², s², s times m/s². */
     private static final double[] UNIT = {0.02, 0.2, 0.005, 0.1, 100, 1, 1, 1e-3, 0.02};
     private static final double STROKE = 0.02;
-    private static final double FORCE = 150;
+    /** What a force may do to all that is carried [m/s²]. */
+    private static final double ACCELERATION = 2;
     /** Of what the model does not hold, friction above all, on the frame and on the sitter [N²·s]. */
     private static final double FRAME_NOISE = 100;
     private static final double SITTER_NOISE = 100;
@@ -43,134 +45,116 @@ public final class OptimalDesign {
      * Of the sensors, with what the model lacks [m, m/s², m/s²]: cushion and limbs ring on the frame at 20 to 50 Hz, which the model does
      * not hold. With a tenth of the frame's, or forces five times as cheap, actuator and cushion sing together there.
      */
-    private static final double[] SENSOR_NOISE = {5e-4, 0.05, 2};
+    static final double[] SENSOR_NOISE = {5e-4, 0.05, 2};
     private static final int TERMS = 10;
 
-    private enum Phase { GAIN, OBSERVER, READY }
-
     private final SeatHardware hardware;
-    private final double base;
     private final FloorBand floor;
     private final double price;
-    private final DiscreteRiccati riccati = new DiscreteRiccati(N);
     private final DMatrixRMaj continuous = new DMatrixRMaj(N + 1, N + 1);
     private final DMatrixRMaj exponential = new DMatrixRMaj(N + 1, N + 1);
     private final DMatrixRMaj term = new DMatrixRMaj(N + 1, N + 1);
     private final DMatrixRMaj next = new DMatrixRMaj(N + 1, N + 1);
     private final DMatrixRMaj a = new DMatrixRMaj(N, N);
-    private final DMatrixRMaj transposed = new DMatrixRMaj(N, N);
     private final DMatrixRMaj b = new DMatrixRMaj(N, 1);
     private final DMatrixRMaj c = new DMatrixRMaj(SENSORS, N);
-    private final DMatrixRMaj g = new DMatrixRMaj(N, N);
-    private final DMatrixRMaj h = new DMatrixRMaj(N, N);
-    private final DMatrixRMaj k = new DMatrixRMaj(1, N);
-    private final DMatrixRMaj bx = new DMatrixRMaj(1, N);
-    private final DMatrixRMaj pc = new DMatrixRMaj(N, SENSORS);
-    private final DMatrixRMaj s = new DMatrixRMaj(SENSORS, SENSORS);
-    private final DMatrixRMaj l = new DMatrixRMaj(N, SENSORS);
+    private final DMatrixRMaj cost = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj noise = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj pull = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj sight = new DMatrixRMaj(N, N);
     private final double[] stretch = new double[N];
     private final double[] frame = new double[N];
-    private Phase phase = Phase.READY;
+    private double rigid;
+    private double moving;
+    private double frequency;
+    private double ratio;
+    private double force;
 
-    /**
-     * A design to be made.
-     *
-     * @param base  damping that is always there, which u comes on top of [N·s/m] @param floor what the floor is supposed to do
-     * @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0
-     */
-    public OptimalDesign(SeatHardware hardware, double base, FloorBand floor, double price) {
+    /** @param floor what it is supposed to do @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0 */
+    SeatModel(SeatHardware hardware, FloorBand floor, double price) {
         if (!(price > 0) || Double.isInfinite(price)) {
             throw new IllegalArgumentException("price of the stroke must be > 0: " + price);
         }
         this.hardware = hardware;
-        this.base = base;
         this.floor = floor;
         this.price = price;
+        price();
     }
 
-    /** Begins a design for the sitter whom the source tells now. */
-    void begin(SitterSource sitter) {
-        model(sitter);
+    /** From now on the sitter whom the source tells now; {@link #damp} is to follow. */
+    void seat(SitterSource sitter) {
+        rigid = sitter.rigid();
+        moving = sitter.moving();
+        frequency = sitter.frequency();
+        ratio = sitter.damping();
+        force = ACCELERATION * (hardware.frameMass() + rigid + moving);
+    }
+
+    /** All equations. @param damping that is always there, which u comes on top of [N·s/m] */
+    void damp(double damping) {
+        model(damping);
         sample();
-        CommonOps_DDRM.multTransB(b, b, g);
-        CommonOps_DDRM.scale(FORCE * FORCE, g);
-        h.zero();
-        addSquare(h, 7, 8, WEIGHTING[0] * UNIT[7], WEIGHTING[1] * UNIT[8]);
-        h.add(0, 0, price * UNIT[0] * UNIT[0] / (STROKE * STROKE));
-        for (int i = 0; i < N; i++) {
-            h.add(i, i, 1e-9);
-        }
-        riccati.begin(a, g, h);
-        phase = Phase.GAIN;
+        shake();
+        look();
+        CommonOps_DDRM.multTransB(b, b, pull);
+        CommonOps_DDRM.scale(force * force, pull);
     }
 
-    /**
-     * A piece of the work, some ten microseconds.
-     *
-     * @return whether the design is ready
-     * @throws ArithmeticException if there is no such design
-     */
-    boolean advance() {
-        if (phase == Phase.READY || !riccati.advance()) {
-            return phase == Phase.READY;
-        }
-        if (phase == Phase.GAIN) {
-            gain(riccati.solution());
-            noise();
-            CommonOps_DDRM.transpose(a, transposed);
-            riccati.begin(transposed, g, h);
-            phase = Phase.OBSERVER;
-            return false;
-        }
-        observe(riccati.solution());
-        phase = Phase.READY;
-        return true;
+    /** Of a sample, N by N. */
+    DMatrixRMaj a() {
+        return a;
     }
 
-    /** The controller's and the observer's matrices of the last design. @param into Modified. */
-    void read(OptimalGains into) {
-        into.set(a, b, c, k, l);
+    /** What a force does in a sample [1/N], N by 1. */
+    DMatrixRMaj b() {
+        return b;
     }
 
-    /** K = (1/F² + Bᵀ X B)⁻¹ Bᵀ X A. */
-    private void gain(DMatrixRMaj x) {
-        CommonOps_DDRM.multTransA(b, x, bx);
-        double inner = 1 / (FORCE * FORCE);
-        for (int i = 0; i < N; i++) {
-            inner += bx.get(0, i) * b.get(i, 0);
-        }
-        CommonOps_DDRM.mult(bx, a, k);
-        CommonOps_DDRM.divide(k, inner);
+    /** What the sensors see, {@value #SENSORS} by N. */
+    DMatrixRMaj c() {
+        return c;
     }
 
-    /** L = P Cᵀ (C P Cᵀ + R)⁻¹. */
-    private void observe(DMatrixRMaj p) {
-        CommonOps_DDRM.multTransB(p, c, pc);
-        CommonOps_DDRM.mult(c, pc, s);
-        for (int i = 0; i < SENSORS; i++) {
-            s.add(i, i, SENSOR_NOISE[i] * SENSOR_NOISE[i]);
-        }
-        if (!CommonOps_DDRM.invert(s)) {
-            throw new ArithmeticException("the observer's innovations have no variance");
-        }
-        CommonOps_DDRM.mult(pc, s, l);
+    /** Of the states of a sample [(m/s²)²]. */
+    DMatrixRMaj cost() {
+        return cost;
+    }
+
+    /** Variance of what shakes the states in a sample. */
+    DMatrixRMaj noise() {
+        return noise;
+    }
+
+    /** {@code b bᵀ} over the price of a force. */
+    DMatrixRMaj pull() {
+        return pull;
+    }
+
+    /** {@code cᵀ R⁻¹ c}, R the variances of the sensors. */
+    DMatrixRMaj sight() {
+        return sight;
+    }
+
+    /** The force that costs 1 (m/s²)² [N]. */
+    double force() {
+        return force;
     }
 
     /** The equations in continuous time, states in their units, the force asked for as a further state that stays. */
-    private void model(SitterSource sitter) {
-        double w = 2 * Math.PI * sitter.frequency();
-        double k1 = sitter.moving() * w * w;
-        double c1 = 2 * sitter.damping() * sitter.moving() * w;
-        double mass = hardware.frameMass() + sitter.rigid();
+    private void model(double damping) {
+        double w = 2 * Math.PI * frequency;
+        double k1 = moving * w * w;
+        double c1 = 2 * ratio * moving * w;
+        double mass = hardware.frameMass() + rigid;
         Arrays.fill(frame, 0);
         Arrays.fill(stretch, 0);
         frame[0] = -hardware.stiffness() / mass;
-        frame[1] = -base / mass;
+        frame[1] = -damping / mass;
         frame[2] = k1 / mass;
         frame[3] = c1 / mass;
         frame[4] = 1 / mass;
-        stretch[2] = -k1 / sitter.moving();
-        stretch[3] = -c1 / sitter.moving();
+        stretch[2] = -k1 / moving;
+        stretch[3] = -c1 / moving;
         continuous.zero();
         put(0, 1, 1);
         put(2, 3, 1);
@@ -230,25 +214,38 @@ public final class OptimalDesign {
         }
     }
 
-    /** H of the observer's equation is the variance of what shakes the states in a sample, G = Cᵀ R⁻¹ C. */
-    private void noise() {
-        h.zero();
+    private void price() {
+        cost.zero();
+        addSquare(cost, 7, 8, WEIGHTING[0] * UNIT[7], WEIGHTING[1] * UNIT[8]);
+        cost.add(0, 0, price * UNIT[0] * UNIT[0] / (STROKE * STROKE));
+        regularise(cost);
+    }
+
+    private void shake() {
+        noise.zero();
         double wf = 2 * Math.PI * floor.frequency();
-        h.add(5, 5, T * 4 * floor.damping() * wf * floor.rms() * floor.rms() / (UNIT[5] * UNIT[5]));
+        noise.add(5, 5, T * 4 * floor.damping() * wf * floor.rms() * floor.rms() / (UNIT[5] * UNIT[5]));
         double push = Math.sqrt(T * FRAME_NOISE) * frame[4];
-        addSquare(h, 1, 3, push / UNIT[1], -push / UNIT[3]);
-        h.add(3, 3, T * SITTER_NOISE * frame[4] * frame[4] / (UNIT[3] * UNIT[3]));
-        for (int i = 0; i < N; i++) {
-            h.add(i, i, 1e-9);
-        }
-        for (int i = 0; i < N; i++) {
-            for (int j = 0; j < N; j++) {
-                double sum = 0;
-                for (int m = 0; m < SENSORS; m++) {
-                    sum += c.get(m, i) * c.get(m, j) / (SENSOR_NOISE[m] * SENSOR_NOISE[m]);
+        addSquare(noise, 1, 3, push / UNIT[1], -push / UNIT[3]);
+        noise.add(3, 3, T * SITTER_NOISE * frame[4] * frame[4] / (UNIT[3] * UNIT[3]));
+        regularise(noise);
+    }
+
+    private void look() {
+        sight.zero();
+        for (int m = 0; m < SENSORS; m++) {
+            for (int i = 0; i < N; i++) {
+                for (int j = 0; j < N; j++) {
+                    sight.add(i, j, c.get(m, i) * c.get(m, j) / (SENSOR_NOISE[m] * SENSOR_NOISE[m]));
                 }
-                g.set(i, j, sum);
             }
+        }
+    }
+
+    /** No direction is quite free, so that equations have one solution. */
+    private static void regularise(DMatrixRMaj m) {
+        for (int i = 0; i < N; i++) {
+            m.add(i, i, 1e-9);
         }
     }
 

@@ -1,4 +1,4 @@
-package wbv.study;
+package wbv.study.seat;
 
 import java.io.IOException;
 import java.util.Comparator;
