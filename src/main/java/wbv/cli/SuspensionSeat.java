@@ -36,9 +36,9 @@ import wbv.study.seat.SeatStudy;
 
 /** {@code wbv seat}: controllers of a suspension seat compared at equal stroke. */
 @Command(name = "seat", mixinStandardHelpOptions = true,
-        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers that know the sitter "
-                + "not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes report.html and seat.json. The SEAT "
-                + "value of a recorded ride: wbv exposure.",
+        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers "
+                + "that know the sitter not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes "
+                + "report.html and seat.json. The SEAT value of a recorded ride: wbv exposure.",
         footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out",
             "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
             "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100", "  wbv seat --recording shaker.csv --out out"})

@@ -108,7 +108,11 @@ public final class DiscreteRiccati {
         return solved;
     }
 
-    /** X, symmetric. The object is the solver's and changes with the next equation. @throws IllegalStateException if it is not {@link #solved()} */
+    /**
+     * X, symmetric. The object is the solver's and changes with the next equation.
+     *
+     * @throws IllegalStateException if it is not {@link #solved()}
+     */
     public DMatrixRMaj solution() {
         if (!solved) {
             throw new IllegalStateException(

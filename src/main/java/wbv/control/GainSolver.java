@@ -28,7 +28,11 @@ final class GainSolver {
         CommonOps_DDRM.mult(model.force() * model.force(), bx, product, k);
     }
 
-    /** {@code l = P cᵀ (c P cᵀ + R)⁻¹}: how states are corrected by what the sensors read. @param l N by {@value SeatModel#SENSORS}. Modified. */
+    /**
+     * {@code l = P cᵀ (c P cᵀ + R)⁻¹}: how states are corrected by what the sensors read.
+     *
+     * @param l N by {@value SeatModel#SENSORS}. Modified.
+     */
     void observe(SeatModel model, DMatrixRMaj p, DMatrixRMaj l) {
         CommonOps_DDRM.multTransB(p, model.c(), pc);
         CommonOps_DDRM.mult(model.c(), pc, s);

@@ -52,7 +52,12 @@ public final class OptimalSeat implements SeatController {
     private long withoutDeflection;
     private long withoutFloor;
 
-    /** At rest. @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0 @param sitter owned by the controller from now on */
+    /**
+     * At rest.
+     *
+     * @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0
+     * @param sitter owned by the controller from now on
+     */
     public OptimalSeat(SeatHardware hardware, Drive drive, Aim aim, FloorBand floor, double price, SitterSource sitter) {
         this.hardware = hardware;
         this.drive = drive;

@@ -156,8 +156,7 @@ public final class LiveStream implements LineSource.Receiver {
     @Override
     public synchronized void tooLong(String sender, byte[] start, int length) {
         lines++;
-        putAside(sender, sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0,
-                Math.min(length, 1024));
+        putAside(sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0, Math.min(length, 1024));
     }
 
     @Override

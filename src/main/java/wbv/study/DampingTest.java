@@ -61,8 +61,11 @@ public record DampingTest(String format, int version, Map<String, String> proven
     /**
      * A mass on spring and damper. Deviations are standard ones; they count what the seat does otherwise.
      *
-     * @param natural_frequency_hz undamped @param damping_ratio to the critical one @param resonance_hz where its transmissibility is highest
-     * @param transmissibility there @param explained share of the seat's motion
+     * @param natural_frequency_hz undamped
+     * @param damping_ratio to the critical one
+     * @param resonance_hz where its transmissibility is highest
+     * @param transmissibility there
+     * @param explained share of the seat's motion
      */
     public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio,
             double damping_ratio_deviation,
@@ -95,7 +98,14 @@ public record DampingTest(String format, int version, Map<String, String> proven
         }
     }
 
-    /** Arrays of one length. Not copied. @param frequency_hz rising @param transmissibility |H1| @param margin half its band @param fitted NaN if none */
+    /**
+     * Arrays of one length. Not copied.
+     *
+     * @param frequency_hz rising
+     * @param transmissibility |H1|
+     * @param margin half its band
+     * @param fitted NaN if none
+     */
     public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) {}
 
     /**
@@ -200,7 +210,8 @@ public record DampingTest(String format, int version, Map<String, String> proven
                         peak.margin(), peak.resonance_hz()))
                 .orElse(String.format("  measured   no peak within the band that the floor shakes%n")));
         text.append(fitted.map(body -> String.format(Locale.ROOT,
-                "  fitted     transmissibility %.2f ± %.2f at %.2f Hz: natural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f (2σ), explains %.1f %%%n",
+                "  fitted     transmissibility %.2f ± %.2f at %.2f Hz: natural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f (2σ), "
+                        + "explains %.1f %%%n",
                 body.transmissibility(), 2 * body.transmissibility_deviation(), body.resonance_hz(), body.natural_frequency_hz(),
                 2 * body.natural_frequency_deviation_hz(), body.damping_ratio(), 2 * body.damping_ratio_deviation(),
                 100 * body.explained()))

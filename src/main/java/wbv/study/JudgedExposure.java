@@ -83,8 +83,7 @@ public final class JudgedExposure {
     public static String duration(double minutes) {
         long whole = Math.round(minutes);
         return whole < 60 ? whole + "\u00a0min"
-                : String.format(Locale.ROOT, whole % 60 == 0 ? "%d\u00a0h" : "%d\u00a0h\u00a0%d\u00a0min", whole / 60,
-                        whole % 60);
+                : whole % 60 == 0 ? whole / 60 + "\u00a0h" : whole / 60 + "\u00a0h\u00a0" + whole % 60 + "\u00a0min";
     }
 
     /** What was measured. */

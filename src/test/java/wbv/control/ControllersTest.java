@@ -204,7 +204,10 @@ class ControllersTest {
         assertEquals(0, gains.force(), 1e-6);
     }
 
-    /** A damper that is late does not grasp at a rate that will have turned: the same mean force, but none of the spikes where the rate is nothing. */
+    /**
+     * A damper that is late does not grasp at a rate that will have turned: the same mean force, but none of the spikes where the rate is
+     * nothing.
+     */
     @Test
     void aLateDamperAsksForNoMoreThanTheRateWillGive() {
         RelativeMotion motion = new RelativeMotion(SEAT);

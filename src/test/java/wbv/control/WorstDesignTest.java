@@ -47,7 +47,10 @@ class WorstDesignTest {
         assertTrue(ratio > 1.19 && ratio < 1.2 * 1.1 + 0.01, "γ² over SciPy's: " + ratio);
     }
 
-    /** The norm of the closed loop over frequency, which no Riccati equation has part in, is below γ, and less than what the mean's design leaves. */
+    /**
+     * The norm of the closed loop over frequency, which no Riccati equation has part in, is below γ, and less than what the mean's design
+     * leaves.
+     */
     @Test
     void theLoopKeepsItsBoundAtEveryFrequency() {
         for (double price : new double[] {0.05, 0.4, 20}) {

@@ -82,7 +82,10 @@ class DampingTestTest {
         }
     }
 
-    /** Friction F damps as 4 F / (π V) at the rate V that the seat has at resonance: more at half the level, and the share explained says so. */
+    /**
+     * Friction F damps as 4 F / (π V) at the rate V that the seat has at resonance: more at half the level, and the share explained says
+     * so.
+     */
     @Test
     void frictionDampsTheMoreTheLessItMoves() throws IOException {
         DampingTest.Fitted much = test(300, 20, 1.5, "seat").fitted().orElseThrow();

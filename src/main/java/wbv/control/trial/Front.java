@@ -18,7 +18,12 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
     /**
      * At a given stroke.
      *
-     * @param seat SEAT @param head the same of the head @param strokeRms [m] @param strokeMost [m] @param stopHits mean number @param power [W]
+     * @param seat SEAT
+     * @param head the same of the head
+     * @param strokeRms [m]
+     * @param strokeMost [m]
+     * @param stopHits mean number
+     * @param power [W]
      * @param force of the actuator, r.m.s. [N]
      */
     public record AtStroke(double seat, double head, double strokeRms, double strokeMost, double stopHits, double power, double force) {

@@ -78,7 +78,8 @@ public final class DampingPage {
                 + "the seat, a sinusoidal floor that passes through the resonance, and a transmissibility there of less than "
                 + Digits.rounded(DampingTest.LOW_LIMIT, 1) + " for seats of EM1 to EM4 and EM6, "
                 + Digits.rounded(DampingTest.HIGH_LIMIT, 1)
-                + " for the others; a SEAT value by them is the mean of three rides with a person. Whether the recording was made so is not "
-                + "known to wbv.\n\nFriction damps the more, the less the seat moves: these numbers hold for the level at which it was shaken."));
+                + " for the others; a SEAT value by them is the mean of three rides with a person. Whether the recording was made so is "
+                + "not known to wbv.\n\nFriction damps the more, the less the seat moves: these numbers hold for the level at which it was "
+                + "shaken."));
     }
 }
