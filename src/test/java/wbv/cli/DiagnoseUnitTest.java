@@ -91,6 +91,7 @@ class DiagnoseUnitTest {
         return new ObjectMapper().readTree(out.resolve("diagnosis.json").toFile());
     }
 
+    @Tag("slow")
     @Test
     void nothingIsMissingOfAUnitThatIsRight() throws IOException {
         Path recording = recorded(BuiltUnit.QUARTER_CAR, 1, 40, 1);

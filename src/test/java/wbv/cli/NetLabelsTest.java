@@ -64,6 +64,7 @@ class NetLabelsTest {
     }
 
     /** The thesis' images take three axes at both places, of people, and two modes. */
+    @Tag("slow")
     @Test
     void theThesisNetworkLearnsFromThreeAxesOfPeople() throws IOException {
         WithEngine.orSkip();

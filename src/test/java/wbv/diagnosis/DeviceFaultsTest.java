@@ -44,6 +44,7 @@ class DeviceFaultsTest {
         return Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
     }
 
+    @Tag("slow")
     @Test
     void itsChannelsAreLateAndTurnedTogether() {
         Evidence evidence = evidence(concealed("", true, 80));

@@ -205,6 +205,7 @@ class IntervalsTest {
      * Against a search that knows no slopes along the number: bisection, each point refitted with the number taken out of the
      * knobs.
      */
+    @Tag("slow")
     @Test
     void theProfileEndsWhereBisectionFindsTheRise() {
         Random random = new Random(8);
@@ -295,6 +296,7 @@ class IntervalsTest {
     }
 
     /** White residuals: what the stretches say is what the curvature says, but for the scatter of some twenty stretches. */
+    @Tag("slow")
     @Test
     void whiteResidualsSpreadAsTheCurvatureSays() {
         List<Double> ratios = new ArrayList<>();

@@ -69,6 +69,7 @@ class RigDiagnosisTest {
         assertEquals(0.006, d.missing().get(0).parameters().get("engagement_m"), 0.0006);
     }
 
+    @Tag("slow")
     @Test
     void aDamperThatSticksHasFriction() {
         Diagnosis d = diagnose(driven(20000, 3000), damper(false), Optional.empty());

@@ -93,6 +93,7 @@ class TrapsTest {
     }
 
     /** A large clock error is far beyond what a first-order look can see. */
+    @Tag("slow")
     @Test
     void aDelayOfFiveSamplesIsFound() throws IOException {
         Diagnosis diagnosis = diagnose(with(HEAD, x -> {
@@ -105,6 +106,7 @@ class TrapsTest {
     }
 
     /** Clipping shifts the mean; that is no bias beside it. */
+    @Tag("slow")
     @Test
     void clippingIsNotABiasToo() throws IOException {
         Diagnosis diagnosis = diagnose(with(HEAD, x -> {
@@ -228,6 +230,7 @@ class TrapsTest {
     }
 
     /** A law is a law on any number of threads. */
+    @Tag("slow")
     @Test
     void theAnswerDoesNotDependOnTheNumberOfThreads() throws Exception {
         Path folder = Path.of("data/arff/concealed/009");

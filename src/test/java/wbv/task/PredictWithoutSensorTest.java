@@ -79,6 +79,7 @@ class PredictWithoutSensorTest {
         assertArrayEquals(Files.readAllBytes(whole), Files.readAllBytes(table));
     }
 
+    @Tag("slow")
     @Test
     void aCheckpointOfAnotherRunOrNoneIsRefused() throws Exception {
         Path checkpoint = folder.resolve("checkpoint.wbv");

@@ -248,8 +248,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
         /** One sentence. */
         public String words(ControllerFamily family) {
             return String.format(Locale.ROOT,
-                    "%s: knowing the sitter takes %.4f (scheduled) and %.4f (oracle) off a SEAT of %.3f at equal stroke, over %d ride%s",
-                    family.word(), scheduled, oracle, fixed, rides, rides == 1 ? "" : "s");
+                    "%s: at equal stroke a SEAT of %.3f when fixed, %+.4f when scheduled and %+.4f for the oracle, over %d ride%s",
+                    family.word(), fixed, -scheduled, -oracle, rides, rides == 1 ? "" : "s");
         }
     }
 }

@@ -112,6 +112,7 @@ class SeatTrialTest {
     }
 
     /** An actuator that knows what it does is better than a damper with the same stroke; nothing goes to its stops. */
+    @Tag("slow")
     @Test
     void theActuatorIsBetterThanTheSkyhookAtEqualStroke() {
         Comparison comparison = Comparison.run(new Comparison.Request(SEAT, List.of(EarthMover.EM3), List.of(Sitters.ofMass(80)),

@@ -31,6 +31,7 @@ class OddSensorTest {
         return Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> {});
     }
 
+    @Tag("slow")
     @Test
     void theOneThatIsLateIsBlamed() throws Exception {
         Diagnosis diagnosis = diagnosed(List.of("sensor.delay"), 5208654190441538260L);

@@ -60,6 +60,7 @@ class SurrogateTest {
     }
 
     /** Places that say nothing of their order, in columns that are in none. */
+    @Tag("slow")
     @Test
     void theOrderOfTheBodiesIsFound() {
         Model truth = chain(List.of("q", "r", "p"), List.of());
@@ -72,6 +73,7 @@ class SurrogateTest {
     }
 
     /** Neither the pelvis nor its sensor: a body between the two that are known does it. */
+    @Tag("slow")
     @Test
     void aBodyThatNobodyMeasuredIsAdded() {
         Model truth = chain(List.of("pelvis", "sternum", "head"), List.of());
@@ -185,6 +187,7 @@ class SurrogateTest {
                 found.model().links().stream().map(Model.Link::name).toList());
     }
 
+    @Tag("slow")
     @Test
     void whatNoChainDoesIsRefused() {
         Model truth = chain(List.of("sternum", "head"), List.of());
