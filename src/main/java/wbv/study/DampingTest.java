@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import wbv.exposure.Cascade;
+import wbv.exposure.Meter;
 import wbv.exposure.Weighting;
 import wbv.identify.EquivalentBodies;
 import wbv.identify.EquivalentBody;
@@ -39,8 +39,7 @@ import wbv.signal.Segmentation;
  * @param curve      by frequency, where the floor was shaken
  */
 public record DampingTest(String format, int version, Map<String, String> provenance, String floor, String seat, double seconds,
-        double seat_value,
-        Optional<Measured> measured, Optional<Fitted> fitted, Curve curve) {
+        double seat_value, Optional<Measured> measured, Optional<Fitted> fitted, Curve curve) {
 
     /** Greatest transmissibility at resonance of seats for EM1 to EM4 and EM6; assumed. */
     public static final double LOW_LIMIT = 1.5;
@@ -53,7 +52,6 @@ public record DampingTest(String format, int version, Map<String, String> proven
     /** By how much a peak may be lowered by the length of the segments. */
     private static final double BIAS = 0.02;
     private static final double LEVEL = 0.95;
-    private static final double SETTLE = 5;
 
     /** The peak. @param resonance_hz where @param transmissibility there @param margin half the band that holds it with 95 % */
     public record Measured(double resonance_hz, double transmissibility, double margin) {}
@@ -68,8 +66,8 @@ public record DampingTest(String format, int version, Map<String, String> proven
      * @param explained share of the seat's motion
      */
     public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio,
-            double damping_ratio_deviation,
-            double resonance_hz, double transmissibility, double transmissibility_deviation, double explained) {
+            double damping_ratio_deviation, double resonance_hz, double transmissibility, double transmissibility_deviation,
+            double explained) {
 
         static Fitted of(EquivalentBody body) {
             EquivalentBody.Mode mode = body.modes().get(0);
@@ -136,7 +134,7 @@ public record DampingTest(String format, int version, Map<String, String> proven
         ResponseCurve curve = new ResponseCurve(floor, seat, 0, measured.response(0), measured.h2(0, 0), Optional.empty(), 0, LEVEL);
         Optional<Peak> peak = curve.peak();
         return new DampingTest("wbv-seat-test", 1, provenance, floor.toString(), seat.toString(), recording.duration(),
-                ratio(recording, floor, seat),
+                weighted(recording, seat) / weighted(recording, floor),
                 peak.map(highest -> new Measured(highest.frequency(), highest.height(), curve.highestMargin())), fitted,
                 drawn(curve, fitted));
     }
@@ -162,23 +160,14 @@ public record DampingTest(String format, int version, Map<String, String> proven
         return Math.min(wanted, recording.duration() / 4);
     }
 
-    private static double ratio(Recording recording, Channel floor, Channel seat) {
-        return Math.sqrt(square(recording, seat) / square(recording, floor));
-    }
-
-    private static double square(Recording recording, Channel channel) {
-        double rate = recording.clock().rate();
-        Cascade weighting = Weighting.WK.filter().cascade(rate);
-        double sum = 0;
-        double last = 0;
+    /** Weighted r.m.s., as {@code wbv exposure} has it. */
+    private static double weighted(Recording recording, Channel channel) {
         double[] values = recording.values(channel);
-        double start = Double.isFinite(values[0]) ? values[0] : 0;
-        for (int i = 0; i < values.length; i++) {
-            last = Double.isFinite(values[i]) ? values[i] - start : last;
-            double weighted = weighting.step(last);
-            sum += i >= Math.min(SETTLE * rate, values.length / 4.0) ? weighted * weighted : 0;
-        }
-        return sum;
+        double mean = Arrays.stream(values).filter(Double::isFinite).average().orElse(0);
+        Meter meter = Meter.exact(Weighting.WK.filter(), recording.clock().rate(), mean, false);
+        Arrays.stream(values).forEach(meter::accept);
+        meter.finish();
+        return meter.vibration().rms();
     }
 
     private static Curve drawn(ResponseCurve curve, Optional<Fitted> fitted) {

@@ -10,9 +10,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.exposure.SeatAxis;
+import wbv.exposure.SeatMeasurement;
+import wbv.exposure.SeatMeter;
 import wbv.recording.DataFault;
 import wbv.recording.format.ReadOptions;
 import wbv.recording.format.RecordingFile;
@@ -80,6 +84,14 @@ class DampingTestTest {
             assertEquals(fitted.resonance_hz(), measured.resonance_hz(), 0.1);
             assertTrue(fitted.explained() > 0.99);
         }
+    }
+
+    @Test
+    void theSeatValueIsThatOfExposure() throws IOException {
+        double seat = test(300, 0, 1, "seat").seat_value();
+        SeatMeasurement ride = SeatMeter.measure(new RecordingFile(room.resolve("shaker.csv"), ReadOptions.DEFAULT),
+                new SeatMeter.Setup(Optional.of("seat"), Optional.of("platform"), false), share -> {});
+        assertEquals(ride.axes().get(SeatAxis.Z).rms() / ride.base().get(SeatAxis.Z).rms(), seat, 1e-9);
     }
 
     /**
