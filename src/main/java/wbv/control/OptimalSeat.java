@@ -115,11 +115,14 @@ public final class OptimalSeat implements SeatController {
     private void keepUp() {
         if (designing) {
             advance();
-        } else
-            if (changed(0, sitter.rigid()) || changed(1, sitter.moving()) || changed(2, sitter.frequency())
-                    || changed(3, sitter.damping())) {
-                        begin();
-                    }
+        } else if (another()) {
+            begin();
+        }
+    }
+
+    private boolean another() {
+        return changed(0, sitter.rigid()) || changed(1, sitter.moving()) || changed(2, sitter.frequency())
+                || changed(3, sitter.damping());
     }
 
     private boolean changed(int i, double now) {

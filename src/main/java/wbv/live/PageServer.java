@@ -102,19 +102,22 @@ public final class PageServer implements Closeable {
             if (!exchange.getRequestMethod().equals("GET")) {
                 headers.set("Allow", "GET");
                 refuse(exchange, 405);
-            } else
-                if (!meant(exchange.getRequestHeaders().getFirst("Host")) || exchange.getRequestURI().toString().length() > LONGEST_PATH) {
-                    refuse(exchange, 400);
-                } else {
-                    switch (exchange.getRequestURI().getPath()) {
-                        case "/" -> send(exchange, "text/html; charset=utf-8", document);
-                        case "/live.css" -> send(exchange, "text/css; charset=utf-8", style);
-                        case "/live.js" -> send(exchange, "text/javascript; charset=utf-8", script);
-                        case "/events" -> events(exchange);
-                        default -> refuse(exchange, 404);
-                    }
+            } else if (!isMeant(exchange)) {
+                refuse(exchange, 400);
+            } else {
+                switch (exchange.getRequestURI().getPath()) {
+                    case "/" -> send(exchange, "text/html; charset=utf-8", document);
+                    case "/live.css" -> send(exchange, "text/css; charset=utf-8", style);
+                    case "/live.js" -> send(exchange, "text/javascript; charset=utf-8", script);
+                    case "/events" -> events(exchange);
+                    default -> refuse(exchange, 404);
                 }
+            }
         }
+    }
+
+    private boolean isMeant(HttpExchange exchange) {
+        return meant(exchange.getRequestHeaders().getFirst("Host")) && exchange.getRequestURI().toString().length() <= LONGEST_PATH;
     }
 
     /** A page on this computer alone is asked for by its name: another name leads here only by a foreign page's trick (DNS rebinding). */

@@ -39,13 +39,15 @@ final class Sensing {
         for (SensorFault each : assembly.outputs().get(output).faults()) {
             if (out.length > 0) {
                 out = apply(each, out, new double[0][], 0);
-            } else
-                if (each instanceof SensorFault.Misalignment || each instanceof SensorFault.Turned
-                        || each instanceof SensorFault.LeverArm) {
-                            out = add(each, new double[2 * excitation.omega().length]);
-                        }
+            } else if (readsOthers(each)) {
+                out = add(each, new double[2 * excitation.omega().length]);
+            }
         }
         return out;
+    }
+
+    private static boolean readsOthers(SensorFault fault) {
+        return fault instanceof SensorFault.Misalignment || fault instanceof SensorFault.Turned || fault instanceof SensorFault.LeverArm;
     }
 
     /**

@@ -127,11 +127,9 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
                 letters.add(word);
             } else if (QUANTITIES.containsKey(word)) {
                 quantity = quantity.or(() -> Optional.of(QUANTITIES.get(word)));
-            } else
-                if (!word.isEmpty() && !TIMES.contains(word) && !MAGNITUDES.contains(word) && !LINEAR.contains(word)
-                        && !EMPTY_WORDS.contains(word) && !word.matches("\\d+")) {
-                            places.add(word);
-                        }
+            } else if (mayBePlace(word)) {
+                places.add(word);
+            }
         }
         if (quantity.isEmpty() && axis.isPresent() && !letters.isEmpty()) {
             quantity = Optional.of(QUANTITIES.get(letters.get(0)));
@@ -143,5 +141,10 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
         String place = given.place().map(Context::word).orElse(places.isEmpty() ? "" : Context.word(String.join("_", places)));
         Label label = new Label(given.name(), Optional.of(place).filter(Channel::isLocation), quantity, axis, unit, given.sign());
         return new NameWords(label, time, magnitude, linear, number);
+    }
+
+    private static boolean mayBePlace(String word) {
+        boolean known = TIMES.contains(word) || MAGNITUDES.contains(word) || LINEAR.contains(word) || EMPTY_WORDS.contains(word);
+        return !word.isEmpty() && !known && !word.matches("\\d+");
     }
 }
