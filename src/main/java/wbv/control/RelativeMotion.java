@@ -9,7 +9,7 @@ final class RelativeMotion {
     private static final double T = SeatController.STEP;
     /** Of the observer [rad/s]. */
     private static final double POLE = 2 * Math.PI * 5;
-    /** Time over which the mean square of the acceleration is taken [s]. */
+    /** Time over which the mean square of the acceleration is taken [s]: two periods of a suspension of 1 Hz; assumed. */
     private static final double TIME = 2;
     /** Rate that nothing is told from [m/s]; assumed. */
     private static final double STILL = 1e-3;

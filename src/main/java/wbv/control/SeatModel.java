@@ -36,7 +36,7 @@ final class SeatModel {
     /** What a state is of the order of: m, m/s, m, m/s, N, m/s², m/s², s², s times m/s². */
     private static final double[] UNIT = {0.02, 0.2, 0.005, 0.1, 100, 1, 1, 1e-3, 0.02};
     private static final double STROKE = 0.02;
-    /** What a force may do to all that is carried [m/s²]. */
+    /** What a force may do to all that is carried [m/s²]; assumed. The stroke, whose price is tuned, is weighed against it. */
     private static final double ACCELERATION = 2;
     /** Of what the model does not hold, friction above all, on the frame and on the sitter [N²·s]. */
     private static final double FRAME_NOISE = 100;

@@ -22,10 +22,11 @@ final class WorstDesign implements SeatDesign {
     private static final int N = SeatModel.N;
     /** Ratio of a γ² that is to be had to one that is not at which the search ends. */
     private static final double NEAR = 1.1;
-    /** Times the least γ² found: gains at the least itself are without bounds. */
+    /** Times the least γ² found, since gains at the least itself are without bounds; assumed. */
     private static final double BACK = 1.2;
-    /** Steps of the search, by factors of 4 until there is one of either kind. */
+    /** Ratio of one γ² to the next until there is one of either kind. */
     private static final double STRIDE = 4;
+    /** Trials after which a search is given up; bisection from a stride to {@link #NEAR} takes four. */
     private static final int MOST = 60;
 
     private enum Phase { AHEAD, OBSERVED, OVER }
