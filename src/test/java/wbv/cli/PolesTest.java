@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.rig.RigFiles;
@@ -22,6 +23,7 @@ class PolesTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void polygonsAreTrainedAndServeWithoutTheSensor() throws IOException {
         List<String> words = new ArrayList<>(List.of("poles"));

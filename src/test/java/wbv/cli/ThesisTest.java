@@ -92,6 +92,7 @@ class ThesisTest {
         }
     }
 
+    @Tag("slow")
     @TestFactory
     Stream<DynamicTest> everyCommandRuns() throws IOException {
         return commands().filter(command -> !isProof(command)).map(command -> DynamicTest.dynamicTest(command, () -> {

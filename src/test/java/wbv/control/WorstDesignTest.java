@@ -17,6 +17,7 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.ejml.data.DMatrixRMaj;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
@@ -51,6 +52,7 @@ class WorstDesignTest {
      * The norm of the closed loop over frequency, which no Riccati equation has part in, is below γ, and less than what the mean's design
      * leaves.
      */
+    @Tag("slow")
     @Test
     void theLoopKeepsItsBoundAtEveryFrequency() {
         for (double price : new double[] {0.05, 0.4, 20}) {

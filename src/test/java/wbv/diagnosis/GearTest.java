@@ -35,6 +35,7 @@ class GearTest {
         isPlay(Bench.diagnosed(driven(seed), behindMotor(gap, seed)), gap);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1", "2", "3"})
     void withoutPlayNothingIsNamedBehindAMeasuredMotor(long seed) {

@@ -174,6 +174,7 @@ class IntervalsTest {
     }
 
     /** What is not white is not counted as if it were: the cost's curvature alone would claim far too much. */
+    @Tag("slow")
     @Test
     void aSitterWhoStirsWidensTheInterval() {
         double quiet = 0;

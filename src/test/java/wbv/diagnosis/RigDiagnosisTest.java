@@ -39,6 +39,7 @@ class RigDiagnosisTest {
         assertTrue(d.fit().nrmseAfter().get(POSITION.toString()) < 0.05, d.fit().toString());
     }
 
+    @Tag("slow")
     @Test
     void aLinearOscillatorLacksNothing() {
         Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, POSITION), duffing(0), Optional.empty());

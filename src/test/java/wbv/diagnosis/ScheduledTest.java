@@ -76,6 +76,7 @@ class ScheduledTest {
         }
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1", "2", "3"})
     void aRollerThatDoesNothingIsNotNamed(long seed) {

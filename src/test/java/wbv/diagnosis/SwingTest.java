@@ -54,6 +54,7 @@ class SwingTest {
     }
 
     /** What two ends do against each other needs no floor that was measured across. */
+    @Tag("slow")
     @Test
     void whereBothEndsCarryASensorTheFloorNeedNone() {
         ConcealedCase made = concealed(859);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.DataFault;
@@ -14,6 +15,7 @@ import wbv.snapshot.StateWriter;
 /** A meter that was saved and loaded goes on bit for bit. */
 class MeterStateTest {
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"50, WK, false", "60, WK, true", "60, WF, false", "240, WD, true", "1000, WD, false"})
     void aSavedMeterGoesOn(double rate, Weighting weighting, boolean boxcar) {

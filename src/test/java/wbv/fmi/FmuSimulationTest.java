@@ -84,6 +84,7 @@ class FmuSimulationTest {
         return new Model("quarter car", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies, links);
     }
 
+    @Tag("slow")
     @ParameterizedTest(name = "FMI {0}.0 by {1}")
     @MethodSource("ways")
     void theQuarterCarIsThatOfTheSimulator(int version, String way, List<String> ways) throws IOException {

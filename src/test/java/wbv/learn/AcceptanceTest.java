@@ -65,6 +65,7 @@ class AcceptanceTest {
         assertEquals(List.of(), late);
     }
 
+    @Tag("slow")
     @Test
     void aStiffnessStepOfTwentyFivePercentIsLearnedWithinFiveSeconds() {
         double change = 30;

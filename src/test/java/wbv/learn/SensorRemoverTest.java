@@ -116,6 +116,7 @@ class SensorRemoverTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aCopyGoesOnAndPredictingChangesNothing() throws Exception {
         SensorRemover learner = learner(LEARNER);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -50,6 +51,7 @@ class StartsAndStepsTest {
      * Starts anywhere, ζ 0.05 to 0.95 and f0 1 to 15 Hz. At a rate of failures of 1 %, more than two of forty are seen once in
      * 130.
      */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"EKF_ADWIN, 40, 2", "UNSCENTED, 20, 2", "CONSTRAINED, 20, 2", "PARTICLE, 8, 0", "FUSED, 8, 0"})
     void theBodyIsFoundFromAnywhereWithinThirtySeconds(Method method, int draws, int allowed) {

@@ -9,6 +9,7 @@ import moa.classifiers.core.driftdetection.ADWINChangeDetector;
 import moa.classifiers.core.driftdetection.ChangeDetector;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -72,6 +73,7 @@ class TwoSidedAdwinTest {
     }
 
     /** Every change detector of MOA's that can be copied, and ours, inside the learner; the rest is refused (DetectorsTest). */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"ADWINChangeDetector", "CusumDM", "DDM", "EDDM", "EWMAChartDM", "EnsembleDriftDetectionMethods",
         "GeometricMovingAverageDM", "HDDM_A_Test", "HDDM_W_Test", "PageHinkleyDM", "RDDM", "STEPD", "none", "wbv.learn.TwoSidedAdwin"})

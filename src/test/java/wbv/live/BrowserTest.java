@@ -153,6 +153,7 @@ class BrowserTest {
     }
 
     /** Values change, alarms appear, a name is only text, and a server that was started again is found again. */
+    @Tag("slow")
     @Test
     void thePageIsAlive() throws Exception {
         String program = chromium();

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.recording.DataFault;
@@ -60,6 +61,7 @@ class KeepTest {
      * Ended at random moments, the sender repeating the last rows, as one does whose rows were not acknowledged: every result is told once,
      * the same.
      */
+    @Tag("slow")
     @Test
     void nothingIsLostAndNothingCountsTwice() throws IOException {
         List<String> rows = rows(1800);

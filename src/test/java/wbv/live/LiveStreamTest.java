@@ -241,6 +241,7 @@ class LiveStreamTest {
         assertTrue(told.of("alarm").get(0).get("reason").asText().contains("nor any acceleration"), told.of("alarm").toString());
     }
 
+    @Tag("slow")
     @Test
     void mutatedLinesHarmNothing() {
         mutated(20_000, 20);

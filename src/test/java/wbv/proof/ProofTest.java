@@ -158,6 +158,7 @@ class ProofTest {
      * Where a simulation lies beside the recording, that is what it is held against, whatever the model: here what perfect sensors would
      * have sent.
      */
+    @Tag("slow")
     @Test
     void aSimulationBesideTheRecordingIsAskedOf(@TempDir Path folder) throws IOException {
         ConcealedCase made = Concealer.make(new ConcealedSpec("577", List.of(), 1, Setting.FIELD, true, 6));
@@ -173,6 +174,7 @@ class ProofTest {
     }
 
     /** The force lies beside the key, sealed like it, and nowhere else; a cut one is made again. */
+    @Tag("slow")
     @Test
     void theForceOfAnOpenLawIsSealedBesideItsKey(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("521", Suite.Group.OPEN,

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,6 +49,7 @@ class StateRunsTest {
     }
 
     /** What ships is what {@code wbv states train data/arff/states-train.arff data/arff/states-bare.arff} writes. */
+    @Tag("slow")
     @Test
     void theShippedModelIsTheOneThatTheCommandTrains() throws IOException {
         Recording recording = recording(TRAIN);
@@ -64,6 +66,7 @@ class StateRunsTest {
     }
 
     /** People, seats and levels that it was not trained on; {@code StatesProof regimes} is the table. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"random:7,usual,2", "random:7,usual,4", "random:8,'usual,-cushion',6", "random:8,'usual,-cushion',7"})
     void itHoldsAtEveryLevelAndOnBothSeats(String subject, String effects, int regime) throws IOException {

@@ -9,6 +9,7 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -69,6 +70,7 @@ class WekaTest {
         return heard.toString();
     }
 
+    @Tag("slow")
     @Test
     void exportsOpenInWekasLoaderAndTeachItsLearners(@TempDir Path folder) throws Exception {
         StateTrack track = track();

@@ -140,6 +140,7 @@ public class LawLearnerTest {
     }
 
     /** What a law does that goes up and down with deflection stands in a table, force by force. */
+    @Tag("slow")
     @Test
     void whatHasNoFormulaIsTabled() {
         LearnedTable law = new LearnedTable(Shape.DEFLECTION, 2e-3, -60, 25, -50, 55, -20, 70);

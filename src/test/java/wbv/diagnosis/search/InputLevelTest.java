@@ -34,6 +34,7 @@ class InputLevelTest {
         assertEquals(PART, told.level() / told.force(), 0.15 * PART);   // three standard errors, by the lines that show it
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(longs = {5, 6, 7, 8})
     void anExactOneHasNone(long seed) {

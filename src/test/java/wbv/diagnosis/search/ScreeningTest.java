@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.stat.inference.KolmogorovSmirnovTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.law.AsymmetricSpring;
@@ -91,6 +92,7 @@ class ScreeningTest {
                 List.of(Hypothesis.Start.scaled(value)));
     }
 
+    @Tag("slow")
     @Test
     void scoresOfNullsAreChiSquared() {
         List<Hypothesis> asked = new ArrayList<>();

@@ -142,6 +142,7 @@ class WhereaboutsTest {
         return sum;
     }
 
+    @Tag("slow")
     @Test
     void whatNobodyDoesIsNotFound() throws Exception {
         Path shipped = Path.of("data/arff/concealed/003");

@@ -136,6 +136,7 @@ class SurrogateTest {
     }
 
     /** An integrator of its own, with 32 steps a sample, that takes the input for constant over each. */
+    @Tag("slow")
     @Test
     void aSimulationThatHoldsItsInputIsSeenThrough() {
         Model truth = chain(List.of("sternum", "head"), List.of());
@@ -255,6 +256,7 @@ class SurrogateTest {
     }
 
     /** Rotation of the base that lifts the head is no part of the chain, and none of what it misses. */
+    @Tag("slow")
     @Test
     void theOtherChannelsOfTheBaseAreInputs() {
         Model truth = chain(List.of("sternum", "head"), List.of());

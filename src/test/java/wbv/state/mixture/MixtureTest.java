@@ -43,6 +43,7 @@ class MixtureTest {
         assertTrue(Double.isFinite(gaussian.logDensity(new double[] {1, -1}, new double[2])));
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @EnumSource(ClassicalMixtures.class)
     void shortestMessageHasTheRightNumberOfComponents(ClassicalMixtures mixture) {
