@@ -18,7 +18,7 @@ import wbv.recording.signals.SignalFile;
 import wbv.recording.signals.SignalKind;
 
 /**
- * UFF 58, MAT, HDF5 and WAV. A signal that says what it measures, where, along which axis and in which unit is a channel; one that says
+ * UFF 58, MAT, HDF5, Parquet and WAV. A signal that says what it measures, where, along which axis and in which unit is a channel; one that says
  * less is asked for in a column map, which then says everything. Signals of other quantities are passed over.
  */
 record SignalFormat(SignalKind kind) implements Format {
@@ -39,7 +39,8 @@ record SignalFormat(SignalKind kind) implements Format {
                 .orElseGet(() -> said(signals, source.name(), context, notes));
         MappedColumns columns = MappedColumns.of(source.name(), 0, names, map);
         Metadata metadata = context
-                .metadata(new Metadata(map.time().rate(), Map.of(), Optional.empty(), Optional.empty(), OptionalDouble.empty(),
+                .metadata(new Metadata(map.time().rate().isPresent() ? map.time().rate() : signals.rate(), Map.of(), Optional.empty(),
+                        Optional.empty(), OptionalDouble.empty(),
                         Optional.of(kind + " file"), notes));
         return new MappedReader(new SignalRows(source, signals, columns.slots()), columns, map.time(), metadata);
     }

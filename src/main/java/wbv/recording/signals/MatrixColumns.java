@@ -3,11 +3,9 @@ package wbv.recording.signals;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.function.IntToDoubleFunction;
 import wbv.recording.DataFault;
 import wbv.recording.Header;
@@ -18,10 +16,6 @@ import wbv.recording.Header;
  */
 final class MatrixColumns {
 
-    private static final Set<String> RATES = Set.of("fs", "ratehz", "rate", "samplerate", "samplingrate", "samplingfrequency",
-            "samplefrequency", "sr", "freq");
-    private static final Set<String> STEPS = Set.of("dt", "ts", "sampletime", "sampleinterval", "samplinginterval", "increment");
-    private static final Set<String> TIMES = Set.of("t", "time", "times", "timestamp", "timestamps");
     /** A recording has fewer signals than samples; what is larger is a table of something else. */
     private static final int MOST_SIGNALS = 512;
 
@@ -59,11 +53,6 @@ final class MatrixColumns {
         notes.put(name, text);
     }
 
-    private static String bare(String name) {
-        return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('/')) + 1).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]",
-                "");
-    }
-
     /** How the matrix's own language writes one of its columns, or rows where they lie. */
     private String index(int number, boolean lying) {
         String both = lying ? (number + (fromOne ? 1 : 0)) + ",:" : ":," + (number + (fromOne ? 1 : 0));
@@ -86,12 +75,8 @@ final class MatrixColumns {
             boolean lying = matrix.rows != length;
             int width = lying ? matrix.rows : matrix.columns;
             if (matrix.rows == 1 && matrix.columns == 1) {
-                double value = matrix.values.applyAsDouble(0);
-                if (value > 0 && RATES.contains(bare(name))) {
-                    rate = OptionalDouble.of(value);
-                } else if (value > 0 && STEPS.contains(bare(name))) {
-                    rate = OptionalDouble.of(1 / value);
-                }
+                OptionalDouble stated = ClockWords.rate(name, matrix.values.applyAsDouble(0));
+                rate = stated.isPresent() ? stated : rate;
             } else if (Math.max(matrix.rows, matrix.columns) != length || width > MOST_SIGNALS) {
                 others.add(name);
             } else {
@@ -101,7 +86,7 @@ final class MatrixColumns {
                     labels.add(matrix.unit.flatMap(UnitWords::of).map(label::in).orElse(label));
                     values.add(matrix.column(i, lying));
                 }
-                time = time.isEmpty() && width == 1 && TIMES.contains(bare(name)) ? Optional.of(name) : time;
+                time = time.isEmpty() && width == 1 && ClockWords.isTime(name) ? Optional.of(name) : time;
             }
         }
         if (labels.isEmpty()) {

@@ -16,7 +16,7 @@ public interface SignalFile extends Closeable {
     /** The signal that holds the time [s], if one does. */
     Optional<String> time();
 
-    /** Samples per second [Hz], where there is no signal of times but a rate. */
+    /** Samples per second [Hz], where there is no signal of times but a rate; Parquet states it beside the times. */
     OptionalDouble rate();
 
     /** What else the file says, by name. */

@@ -80,6 +80,28 @@ public enum SignalKind {
             throw new UnsupportedOperationException("HDF5 is not written");
         }
     },
+    /** Apache Parquet: a table whose columns stand by themselves, read a group of rows at a time. */
+    PARQUET(".parquet") {
+        @Override
+        boolean recognises(String head) {
+            return head.startsWith("PAR1") || head.startsWith("PARE"); // the latter encrypted
+        }
+
+        @Override
+        public SignalFile open(String name, Path path, InputStream content) {
+            return ParquetSignals.open(name, path);
+        }
+
+        @Override
+        void write(SampledColumns columns, OutputStream out) throws IOException {
+            ParquetFile.write(columns, out);
+        }
+
+        @Override
+        public String toString() {
+            return "Parquet";
+        }
+    },
     /** Sound files, whole numbers of 8 to 32 bits or floating point. Written as 32-bit floating point. */
     WAV(".wav") {
         @Override
