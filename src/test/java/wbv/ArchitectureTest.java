@@ -61,6 +61,8 @@ class ArchitectureTest {
             Map.entry("org.eclipse.paho..", List.of("live")),
             Map.entry("us.hebi.matlab..", List.of("recording.signals")),
             Map.entry("io.jhdf..", List.of("recording.signals")),
+            Map.entry("org.apache.parquet..", List.of("recording.signals")),
+            Map.entry("io.airlift..", List.of("recording.signals")),
             Map.entry("picocli..", List.of("cli")));
 
     /** Rooms of several packages, in the order in which they may know each other: the first knows none of the others. */

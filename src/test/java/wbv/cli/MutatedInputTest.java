@@ -74,7 +74,8 @@ class MutatedInputTest {
         MAT("r.mat", "convert *", "analyze *", "map *"),
         HDF5("r.h5", "convert *", "map *"),
         WAV("r.wav", "convert *", "analyze *", "map *"),
-        TABLE("f.csv", "map *");
+        TABLE("f.csv", "map *"),
+        PARQUET("r.parquet", "convert *", "analyze *", "map *");
 
         private final String file;
         private final List<String> commands;
@@ -114,7 +115,7 @@ class MutatedInputTest {
                     .append('\n');
         }
         Files.writeString(shared.resolve("foreign.csv"), foreign);
-        for (Kind kind : List.of(Kind.UFF, Kind.UNV, Kind.MAT, Kind.WAV)) {
+        for (Kind kind : List.of(Kind.UFF, Kind.UNV, Kind.MAT, Kind.WAV, Kind.PARQUET)) {
             Path file = shared.resolve(kind.file);
             assertEquals(0, Run.of("convert", shared.resolve("short.csv").toString(), "--out", file.toString()).code());
             SOUND.put(kind, Files.readAllBytes(file));

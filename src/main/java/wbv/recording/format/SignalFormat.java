@@ -18,8 +18,8 @@ import wbv.recording.signals.SignalFile;
 import wbv.recording.signals.SignalKind;
 
 /**
- * UFF 58, MAT, HDF5, Parquet and WAV. A signal that says what it measures, where, along which axis and in which unit is a channel; one that says
- * less is asked for in a column map, which then says everything. Signals of other quantities are passed over.
+ * UFF 58, MAT, HDF5, Parquet and WAV. A signal that says what it measures, where, along which axis and in which unit is a channel; one that
+ * says less is asked for in a column map, which then says everything. Signals of other quantities are passed over.
  */
 record SignalFormat(SignalKind kind) implements Format {
 

@@ -57,7 +57,7 @@ final class ParquetColumn {
 
     private static Optional<Ticks> ticks(PrimitiveType type) {
         if (type.getPrimitiveTypeName() == PrimitiveTypeName.INT96) {
-            return Optional.of(new Ticks(ParquetColumn::nanoseconds, NANOSECONDS, true));
+            return Optional.of(new Ticks(ParquetColumn::nanoseconds, NANOSECONDS, false));
         }
         return logical(type).filter(TimestampLogicalTypeAnnotation.class::isInstance).map(TimestampLogicalTypeAnnotation.class::cast)
                 .map(stamp -> new Ticks(ColumnReader::getLong, switch (stamp.getUnit()) {

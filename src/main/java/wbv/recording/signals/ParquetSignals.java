@@ -117,6 +117,11 @@ final class ParquetSignals implements SignalFile {
             throw DataFault.in(file, "is encrypted; write it anew in the plain", encrypted);
         } catch (RuntimeException | IOException | StackOverflowError damaged) { // the last by a schema of groups in groups
             throw DataFault.in(file, "is a damaged Parquet file, or cut off or gzipped; save, copy or unpack it again", damaged);
+        } catch (OutOfMemoryError full) { // for one page or group of rows, of whatever size the file states
+            throw DataFault.in(file,
+                    "asks for more memory than Java has: it is damaged, or its groups of rows are so large that Java needs "
+                            + "more, as in WBV_JAVA_OPTS=-Xmx8g",
+                    full);
         }
     }
 
