@@ -1,8 +1,10 @@
-"""Reads with other programs what wbv wrote: python check.py FOLDER; see README.md. Needs numpy, pandas, scipy, pyuff and soundfile."""
+"""Reads with other programs what wbv wrote: python check.py FOLDER; see README.md. Needs numpy, pandas, polars, pyarrow, scipy,
+pyuff and soundfile."""
 import sys
 
 import numpy as np
 import pandas as pd
+import polars as pl
 import pyuff
 import scipy.io
 import scipy.io.wavfile
@@ -28,10 +30,17 @@ for name, relative in (("r.uff", 0), ("r.unv", 1e-12)):
 mat = scipy.io.loadmat(f"{folder}/r.mat")
 for channel in truth.columns:
     near("r.mat", channel, mat[channel.replace(".", "_")], 0)
+frame = pd.read_parquet(f"{folder}/r.parquet")
+other = pl.read_parquet(f"{folder}/r.parquet")
+assert list(frame.columns) == other.columns == ["t"] + channels
+assert frame.attrs["rate_hz"] == round(1 / np.diff(truth["t"]).mean())
+for channel in truth.columns:
+    near("r.parquet", channel, frame[channel], 0)
+    near("r.parquet", channel, other[channel].to_numpy(), 0)
 rate, sound = scipy.io.wavfile.read(f"{folder}/r.wav")
 other, again = soundfile.read(f"{folder}/r.wav", dtype="float32", always_2d=True)
 assert rate == again == round(1 / np.diff(truth["t"]).mean())
 for i, channel in enumerate(channels):
     near("r.wav", channel, sound[:, i], 6e-8)
     near("r.wav", channel, other[:, i], 6e-8)
-print(f"{len(channels)} channels, {len(truth)} samples: pyuff, SciPy and soundfile read what was written")
+print(f"{len(channels)} channels, {len(truth)} samples: pyuff, SciPy, pandas, polars and soundfile read what was written")

@@ -23,12 +23,12 @@ import wbv.sensing.DerivedReader;
 import wbv.sensing.StillPose;
 
 /**
- * {@code wbv convert}: any recording as CSV, ARFF, UFF 58, MAT or WAV with our channel names, on a uniform clock, with what follows from
- * it.
+ * {@code wbv convert}: any recording as CSV, ARFF, UFF 58, MAT, Parquet or WAV with our channel names, on a uniform clock, with what
+ * follows from it.
  */
 @Command(name = "convert", mixinStandardHelpOptions = true,
-        description = "Writes a recording as CSV, CSV.gz, ARFF, UFF 58, MAT or WAV with channel names and SI units, on a uniform clock, "
-                + "and says what it found.",
+        description = "Writes a recording as CSV, CSV.gz, ARFF, UFF 58, MAT, Parquet or WAV with channel names and SI units, on a uniform "
+                + "clock, and says what it found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
             "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff",
             "  wbv convert ride.csv --out ride.uff", "  wbv convert ride.uff --out - | head",
