@@ -21,7 +21,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -42,6 +46,31 @@ import org.junit.jupiter.api.Test;
 class PublicDocumentationTest {
 
     private static final Pattern SAYS_WHAT_BECOMES_OF_ARRAYS = Pattern.compile("\\bmodified\\b", Pattern.CASE_INSENSITIVE);
+    private static final Pattern SAYS_NO_MORE_THAN_THAT = Pattern
+            .compile("([^.]*\\b(modified|copied|not a copy|a copy|kept)\\b[^.]*\\.?)?", Pattern.CASE_INSENSITIVE);
+
+    /** In brackets: 1, or units, each to a power perhaps. */
+    private static final Pattern UNIT = Pattern.compile("\\[[^\\]]*(?<!\\p{L})"
+            + "(1|m|s|min|h|km|kg|N|Hz|rad|W|MPa|dB|°|years|days|samples|bins|bytes|nats?|spreads|unit\\w*)(?!\\p{L})[^\\]]*\\]");
+
+    /**
+     * Words of numbers that have no unit, or that of whatever was handed in. A list, because no rule tells "share" from "load"; a word
+     * belongs here if a reader who finds it with a number does not ask for the unit any more.
+     */
+    private static final String KIND = "units?|ratio|share|part|factor|weight|count|number of|probability|likelihood|logarithm|ln|coherence"
+            + "|correlation|confidence|quantile|exponent|whitened|normalised|relative|degrees of freedom|per cent|seconds|minutes|hours"
+            + "|hertz|newtons|kilograms|metres";
+    private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|probabilities)s?\\b|%", Pattern.CASE_INSENSITIVE);
+    /** Names that say it themselves: {@code dampingRatio}, {@code share}, {@code a8_m_s2}. */
+    private static final Pattern NAMES_KIND = Pattern
+            .compile("(?i:.*(" + KIND + ")s?|confidence|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");
+
+    /** What arrays are indexed by, or how long they are. A spectrum is one of {@code wbv.body.Spectra}, a series goes by sample. */
+    private static final Pattern SHAPE = Pattern.compile("\\b(by (?!the\\b|its?\\b)\\p{L}+|\\w+ by \\w|row by row|line by line|long|length|spectr(um|a)"
+            + "|series|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
+
+    /** A text that leans on the one before it. */
+    private static final Pattern LEANS = Pattern.compile("\\b(the same|likewise|as there)\\b", Pattern.CASE_INSENSITIVE);
 
     @Test
     void whatIsPublicIsDocumented() throws IOException {
@@ -141,6 +170,8 @@ class PublicDocumentationTest {
         private final CompilationUnitTree unit;
         private final DocTrees docs;
         private final List<String> gaps;
+        /** All that was said of the member before. */
+        private String before = "";
 
         Reader(CompilationUnitTree unit, DocTrees docs, List<String> gaps) {
             this.unit = unit;
@@ -152,6 +183,9 @@ class PublicDocumentationTest {
         public Void visitClass(ClassTree type, Void nothing) {
             if (isVisible(type.getModifiers())) {
                 askForSummary(type, type.getSimpleName().toString());
+                if (type.getKind() == Tree.Kind.RECORD) {
+                    askForUnits(type, type.getSimpleName().toString(), components(type), List.of());
+                }
                 super.visitClass(type, nothing);
             }
             return null;
@@ -180,7 +214,39 @@ class PublicDocumentationTest {
                     && !SAYS_WHAT_BECOMES_OF_ARRAYS.matcher(said).find()) {
                 gaps.add(place(method) + " " + name + ": say whether the array is modified");
             }
+            askForUnits(method, name, method.getParameters(), method.getReturnType() == null ? List.of() : List.of(method.getReturnType()));
             return null;
+        }
+
+        /** @param result none or one */
+        private void askForUnits(Tree member, String name, List<? extends VariableTree> given, List<Tree> result) {
+            String said = docs.getDocComment(getCurrentPath());
+            if (said == null) {
+                return;
+            }
+            Said now = Said.in(said);
+            for (Tree type : result) {
+                ask(member, name, "what it returns", type.toString(), now.summary(), now);
+            }
+            for (VariableTree each : given) {
+                String type = each.getType().toString();
+                ask(member, name, each.getName().toString(), each.toString().contains("...") ? type.replaceFirst("\\[]$", "") : type,
+                        now.of(each.getName().toString()), now);
+            }
+            before = now.all();
+        }
+
+        private void ask(Tree member, String name, String number, String type, String own, Said said) {
+            if (!type.startsWith("double")) {
+                return;
+            }
+            String text = LEANS.matcher(own).find() ? own + " " + said.all() + " " + before : own;
+            if (!UNIT.matcher(text).find() && !SAYS_KIND.matcher(text).find() && !NAMES_KIND.matcher(number).matches()) {
+                gaps.add(place(member) + " " + name + ": say the unit of " + number);
+            }
+            if (type.contains("[]") && !SHAPE.matcher(text + " " + said.summary()).find()) {
+                gaps.add(place(member) + " " + name + ": say the shape of " + number);
+            }
         }
 
         private void askForSummary(Tree member, String name) {
@@ -222,13 +288,16 @@ class PublicDocumentationTest {
             if (enclosing().getKind() != Tree.Kind.RECORD) {
                 return false;
             }
-            List<VariableTree> components = enclosing().getMembers().stream().filter(VariableTree.class::isInstance)
-                    .map(VariableTree.class::cast)
-                    .filter(field -> !field.getModifiers().getFlags().contains(Modifier.STATIC)).toList();
+            List<VariableTree> components = components(enclosing());
             boolean accessor = method.getParameters().isEmpty()
                     && components.stream().anyMatch(field -> field.getName().equals(method.getName()));
             boolean canonical = method.getReturnType() == null && types(method.getParameters()).equals(types(components));
             return accessor || canonical;
+        }
+
+        private static List<VariableTree> components(ClassTree type) {
+            return type.getMembers().stream().filter(VariableTree.class::isInstance).map(VariableTree.class::cast)
+                    .filter(field -> !field.getModifiers().getFlags().contains(Modifier.STATIC)).toList();
         }
 
         private static List<String> types(List<? extends VariableTree> variables) {
@@ -242,6 +311,39 @@ class PublicDocumentationTest {
         /** Values given one by one are no array to anybody. */
         private static boolean takesArray(VariableTree parameter) {
             return parameter.getType().getKind() == Tree.Kind.ARRAY_TYPE && !parameter.toString().contains("...");
+        }
+    }
+
+    /**
+     * What stands in a comment, tags within a line included.
+     *
+     * @param summary with what is said of the result
+     * @param own     by parameter; where nothing is said of one, what is said of the next
+     */
+    private record Said(String all, String summary, Map<String, String> own) {
+        static Said in(String comment) {
+            String all = comment.strip().replaceAll("\\s+", " ");
+            String summary = "";
+            String next = "";
+            Map<String, String> own = new HashMap<>();
+            List<String> parts = Arrays.asList(all.split("(?=@(?:param|return|throws) )"));
+            Collections.reverse(parts);
+            for (String part : parts) {
+                String[] words = part.strip().split(" ", 3);
+                if (part.startsWith("@param")) {
+                    next = words.length < 3 ? next : words[2];
+                    own.put(words[1], next);
+                } else if (!part.startsWith("@throws")) {
+                    summary = part + summary;
+                }
+            }
+            return new Said(all, summary, own);
+        }
+
+        /** What is said of a parameter: of itself, if that is more than what becomes of it. */
+        String of(String parameter) {
+            String text = own.getOrDefault(parameter, "").strip();
+            return SAYS_NO_MORE_THAN_THAT.matcher(text).matches() ? summary : text;
         }
     }
 }
