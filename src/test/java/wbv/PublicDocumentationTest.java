@@ -60,14 +60,14 @@ class PublicDocumentationTest {
     private static final String KIND = "units?|ratio|share|part|factor|weight|count|number of|probability|likelihood|logarithm|ln|coherence"
             + "|correlation|confidence|quantile|exponent|whitened|normalised|relative|degrees of freedom|per cent|seconds|minutes|hours"
             + "|hertz|newtons|kilograms|metres";
-    private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|probabilities)s?\\b|%", Pattern.CASE_INSENSITIVE);
+    private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|probabilities|chances?|0 to (less than )?1)s?\\b|%", Pattern.CASE_INSENSITIVE);
     /** Names that say it themselves: {@code dampingRatio}, {@code share}, {@code a8_m_s2}. */
     private static final Pattern NAMES_KIND = Pattern
             .compile("(?i:.*(" + KIND + ")s?|confidence|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");
 
     /** What arrays are indexed by, or how long they are. A spectrum is one of {@code wbv.body.Spectra}, a series goes by sample. */
     private static final Pattern SHAPE = Pattern.compile("\\b(by (?!the\\b|its?\\b)\\p{L}+|\\w+ by \\w|row by row|line by line|long|length|spectr(um|a)"
-            + "|series|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
+            + "|series|bins?|as (many|long)|one( \\w+)? an? \\w+|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
 
     /** A text that leans on the one before it. */
     private static final Pattern LEANS = Pattern.compile("\\b(the same|likewise|as there)\\b", Pattern.CASE_INSENSITIVE);

@@ -8,7 +8,7 @@ package wbv.signal;
  * so that a plate under the sitter needs no correction. Arrays are not copied: treat them as read-only.
  *
  * @param frequency rising by equal steps [Hz]
- * @param density   [W/Hz]; 0 in the lowest bins, which hold what is left of means and trends
+ * @param density   by frequency [W/Hz]; 0 in the lowest bins, which hold what is left of means and trends
  */
 public record AbsorbedPower(double[] frequency, double[] density) {
 
@@ -50,7 +50,7 @@ public record AbsorbedPower(double[] frequency, double[] density) {
         return sum * (frequency[1] - frequency[0]);
     }
 
-    /** Power up to each frequency [W]. */
+    /** Power up to each frequency [W], by frequency. */
     public double[] cumulative() {
         double[] sums = new double[density.length];
         double sum = 0;

@@ -5,7 +5,7 @@ public final class LogSum {
 
     private LogSum() {}
 
-    /** ln Σ exp(a_i) of the first so many; -∞ if all are. @param a not modified */
+    /** ln Σ exp(a_i) of the first so many; -∞ if all are. @param a logarithms, at least so long. Not modified. */
     public static double of(double[] a, int count) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {

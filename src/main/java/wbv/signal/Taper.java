@@ -64,7 +64,7 @@ public final class Taper {
         return product / power;
     }
 
-    /** Multiplies a segment by the window. @param segment N values. Modified. */
+    /** Multiplies a segment by the window. @param segment N long, of any unit. Modified. */
     public void apply(double[] segment) {
         for (int n = 0; n < weights.length; n++) {
             segment[n] *= weights[n];

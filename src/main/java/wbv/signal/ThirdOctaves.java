@@ -54,7 +54,7 @@ public record ThirdOctaves(int first, double[] rms) {
         return Math.pow(10, (first + band) / 10.0);
     }
 
-    /** Centres of all bands [Hz], exact. */
+    /** Centres of all bands, as long as {@code rms} [Hz], exact. */
     public double[] centres() {
         double[] centres = new double[rms.length];
         for (int band = 0; band < centres.length; band++) {
