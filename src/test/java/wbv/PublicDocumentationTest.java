@@ -57,10 +57,10 @@ class PublicDocumentationTest {
      * Words of numbers that have no unit, or that of whatever was handed in. A list, because no rule tells "share" from "load"; a word
      * belongs here if a reader who finds it with a number does not ask for the unit any more.
      */
-    private static final String KIND = "units?|ratio|share|part|factor|weight|count|number of|probability|likelihood|logarithm|ln|coherence"
+    private static final String KIND = "units?|ratio|share|part|factor|weight|count|number of|probabilit(y|ies)|likelihood|logarithm|ln|coherence"
             + "|correlation|confidence|quantile|exponent|whitened|normalised|relative|degrees of freedom|per cent|seconds|minutes|hours"
             + "|hertz|newtons|kilograms|metres";
-    private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|probabilities|chances?|0 to (less than )?1)s?\\b|%", Pattern.CASE_INSENSITIVE);
+    private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|chances?|0 to (less than )?1)s?\\b|%", Pattern.CASE_INSENSITIVE);
     /** Names that say it themselves: {@code dampingRatio}, {@code share}, {@code a8_m_s2}. */
     private static final Pattern NAMES_KIND = Pattern
             .compile("(?i:.*(" + KIND + ")s?|confidence|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");

@@ -64,7 +64,8 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     }
 
     /**
-     * Adds up the chain's states by name. @param chain K. Not modified. @param into one for each {@link MotionState}. Modified.
+     * Adds up the chain's states by name. @param chain probabilities, K long. Not modified. @param into probabilities, one for each {@link
+     * MotionState}. Modified.
      */
     public void byName(double[] chain, double[] into) {
         java.util.Arrays.fill(into, 0);
@@ -107,7 +108,7 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
         return named;
     }
 
-    /** How often the chain's states are met in the long run, K. */
+    /** Shares of time of the chain's states in the long run, K long. */
     public double[] stationary() {
         double[] now = new double[chain.states()];
         java.util.Arrays.fill(now, 1.0 / now.length);
