@@ -46,8 +46,8 @@ import org.junit.jupiter.api.Test;
 class PublicDocumentationTest {
 
     private static final Pattern SAYS_WHAT_BECOMES_OF_ARRAYS = Pattern.compile("\\bmodified\\b", Pattern.CASE_INSENSITIVE);
-    private static final Pattern SAYS_NO_MORE_THAN_THAT = Pattern
-            .compile("([^.]*\\b(modified|copied|not a copy|a copy|kept)\\b[^.]*\\.?)?", Pattern.CASE_INSENSITIVE);
+    private static final Pattern SAYS_NO_MORE_THAN_THAT = Pattern.compile("((not|none|neither|modified|copied|a copy)\\b.*)?",
+            Pattern.CASE_INSENSITIVE);
 
     /** In brackets: 1, or units, each to a power perhaps. */
     private static final Pattern UNIT = Pattern.compile("\\[[^\\]]*(?<!\\p{L})"
@@ -63,7 +63,7 @@ class PublicDocumentationTest {
     private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|chances?|0 to (less than )?1)s?\\b|%", Pattern.CASE_INSENSITIVE);
     /** Names that say it themselves: {@code dampingRatio}, {@code share}, {@code a8_m_s2}. */
     private static final Pattern NAMES_KIND = Pattern
-            .compile("(?i:.*(" + KIND + ")s?|confidence|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");
+            .compile("(?i:.*(" + KIND + ")s?(_sd)?|minutes.*|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");
 
     /** What arrays are indexed by, or how long they are. A spectrum is one of {@code wbv.body.Spectra}, a series goes by sample. */
     private static final Pattern SHAPE = Pattern.compile("\\b(by (?!the\\b|its?\\b)\\p{L}+|\\w+ by \\w|row by row|line by line|long|length|spectr(um|a)"

@@ -55,7 +55,7 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      * @param axes            that are measured
      * @param a8              daily exposure of the time measured, on the worst axis [m/s²]
      * @param vdv             dose of the time measured, on the worst axis [m/s^1.75]
-     * @param minutesToAction until A(8) or the dose reaches the action value if it goes on as so far; 0 when reached, infinite
+     * @param minutesToAction [min] until A(8) or the dose reaches the action value if it goes on as so far; 0 when reached, infinite
      *                        without vibration
      * @param minutesToLimit  likewise for the limit value
      */

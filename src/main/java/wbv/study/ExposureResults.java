@@ -27,7 +27,12 @@ import wbv.exposure.Vibration;
 public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, List<Note> remarks,
         Map<String, String> provenance) {
 
-    /** The day and its verdicts. @param lower_bound true if a sampling rate was too low for the whole band */
+    /**
+     * The day and its verdicts.
+     *
+     * @param lower_bound true if a sampling rate was too low for the whole band
+     * @param points a number, the HSE's count
+     */
     public record Day(double minutes, boolean lower_bound, double a8_m_s2, double a8_standard_deviation_m_s2, String a8_axis,
             double points, String verdict, double vdv_m_s1_75, String vdv_axis, String verdict_by_dose, String caution_zone,
             String caution_zone_by_dose, double minutes_until_action_a8, double minutes_until_limit_a8,
@@ -50,13 +55,13 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
             double partial_points, double daily_vdv_m_s1_75, double estimated_daily_vdv_m_s1_75, OptionalDouble seat_rms,
             OptionalDouble seat_vdv, Optional<Bands> third_octaves) {}
 
-    /** One-third-octave bands. */
+    /** One-third-octave bands; arrays are as long as there are bands. */
     public record Bands(double[] nominal_hz, double[] measured_m_s2, double[] weighted_m_s2) {}
 
     /** Comfort: factors k are in the totals, not in the levels. */
     public record Comforts(double total_m_s2, String reaction, Map<String, Double> points_m_s2, Map<String, Double> levels) {}
 
-    /** ISO 2631-5. @param risks by sex */
+    /** ISO 2631-5. @param days_a_year number of days with this dose @param risks by sex */
     public record Spine(double daily_dose_m_s2, int from_age, int years, double days_a_year, boolean indicative,
             Map<String, Risk> risks) {}
 

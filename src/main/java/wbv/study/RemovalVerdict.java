@@ -15,7 +15,7 @@ import wbv.recording.Channel;
  * @param holds   whether it can
  * @param reason  why it cannot, or is not known; empty if it can
  * @param least   smallest part of the variance that was left, NaN where nothing was tried
- * @param most    largest
+ * @param most    largest part
  */
 public record RemovalVerdict(String channel, boolean tried, boolean holds, String reason, double least, double most) {
 

@@ -4,8 +4,8 @@ package wbv.report.page;
  * A range about a curve. Arrays are not copied.
  *
  * @param kind    what the range is
- * @param lower   as many as the curve's x, NaN is a gap; empty if there is no band
- * @param upper   as many as {@code lower}
+ * @param lower   as many as the curve's x, in its unit of y, NaN is a gap; empty if there is no band
+ * @param upper   as many as {@code lower}, likewise
  * @param meaning named in the legend, such as {@code ±2σ}
  */
 public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
@@ -38,7 +38,7 @@ public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
         return new Band(Kind.UNCERTAINTY, lower, upper, meaning);
     }
 
-    /** The smallest and largest samples. Not copied, not modified. */
+    /** The smallest and largest samples, in the curve's unit, as many as its x. Not copied, not modified. */
     public static Band extremes(double[] lower, double[] upper) {
         return new Band(Kind.EXTREMES, lower, upper, "min to max");
     }
