@@ -51,7 +51,7 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      *
      * @param since           beginning of the shift [s by the sensor's clock]
      * @param seconds         measured
-     * @param missing         not measured [s]
+     * @param missing         time that was not measured [s]
      * @param axes            that are measured
      * @param a8              daily exposure of the time measured, on the worst axis [m/s²]
      * @param vdv             dose of the time measured, on the worst axis [m/s^1.75]

@@ -103,10 +103,11 @@ public record Place(Kind kind, int index) {
     }
 
     /**
-     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a
+     * A fit, as coordinates [1], one a knob, in which this place was ignored, with the place's own numbers as the user gave them, since
+     * nothing told them: a link's, a
      * body's mass, and that of a body on the base, on which a force in its link acts.
      *
-     * @param x Not modified.
+     * @param x coordinates [1], one a knob. Not modified.
      */
     public double[] asGiven(Candidate baseline, double[] x) {
         double[] out = x.clone();
