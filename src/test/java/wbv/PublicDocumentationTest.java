@@ -26,6 +26,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -57,20 +58,21 @@ class PublicDocumentationTest {
      * Words of numbers that have no unit, or that of whatever was handed in. A list, because no rule tells "share" from "load"; a word
      * belongs here if a reader who finds it with a number does not ask for the unit any more.
      */
-    private static final String KIND = "units?|ratio|share|part|factor|weight|count|number of|probabilit(y|ies)|likelihood|logarithm|ln|coherence"
-            + "|correlation|confidence|quantile|exponent|whitened|normalised|relative|degrees of freedom|per cent|seconds|minutes|hours"
-            + "|hertz|newtons|kilograms|metres";
+    private static final String KIND = "units?|ratio|share|factor|number of|probabilit(y|ies)|logarithm|coherence|confidence"
+            + "|exponent|whitened|relative|seconds|minutes|hours";
     private static final Pattern SAYS_KIND = Pattern.compile("\\b(" + KIND + "|chances?|0 to (less than )?1)s?\\b|%", Pattern.CASE_INSENSITIVE);
     /** Names that say it themselves: {@code dampingRatio}, {@code share}, {@code a8_m_s2}. */
     private static final Pattern NAMES_KIND = Pattern
             .compile("(?i:.*(" + KIND + ")s?(_sd)?|minutes.*|.*_(s|hz|m|kg|n|rad|w|m_s2|m_s1_75|percent|minutes)(_.*)?)");
 
     /** What arrays are indexed by, or how long they are. A spectrum is one of {@code wbv.body.Spectra}, a series goes by sample. */
-    private static final Pattern SHAPE = Pattern.compile("\\b(by (?!the\\b|its?\\b)\\p{L}+|\\w+ by \\w|row by row|line by line|long|length|spectr(um|a)"
-            + "|series|bins?|as (many|long)|one( \\w+)? an? \\w+|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
+    private static final Pattern SHAPE = Pattern.compile("\\b(by (axis|bin|body|channel|column|component|coordinate|dimension|direction|error"
+            + "|frequency|group|input|label|law|line|link|model|motion|number|output|parameter|place|plane|point|pole|row|sample|state"
+            + "|target|time|vector)s?|\\w{1,2} by \\w{1,2}|row by row|line by line|long|length|spectr(um|a)|series|bins?|as (many|long)|one( \\w+)? an? \\w+"
+            + "|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
 
     /** A text that leans on the one before it. */
-    private static final Pattern LEANS = Pattern.compile("\\b(the same|likewise|as there)\\b", Pattern.CASE_INSENSITIVE);
+    private static final Pattern LEANS = Pattern.compile("^the same\\b|\\b(likewise|as there)\\b", Pattern.CASE_INSENSITIVE);
 
     @Test
     void whatIsPublicIsDocumented() throws IOException {
@@ -184,7 +186,7 @@ class PublicDocumentationTest {
             if (isVisible(type.getModifiers())) {
                 askForSummary(type, type.getSimpleName().toString());
                 if (type.getKind() == Tree.Kind.RECORD) {
-                    askForUnits(type, type.getSimpleName().toString(), components(type), List.of());
+                    askForUnits(type, type.getSimpleName().toString(), components(type), Optional.empty());
                 }
                 super.visitClass(type, nothing);
             }
@@ -214,38 +216,51 @@ class PublicDocumentationTest {
                     && !SAYS_WHAT_BECOMES_OF_ARRAYS.matcher(said).find()) {
                 gaps.add(place(method) + " " + name + ": say whether the array is modified");
             }
-            askForUnits(method, name, method.getParameters(), method.getReturnType() == null ? List.of() : List.of(method.getReturnType()));
+            askForUnits(method, name, method.getParameters(), Optional.ofNullable(method.getReturnType()));
             return null;
         }
 
-        /** @param result none or one */
-        private void askForUnits(Tree member, String name, List<? extends VariableTree> given, List<Tree> result) {
-            String said = docs.getDocComment(getCurrentPath());
-            if (said == null) {
+        private void askForUnits(Tree member, String name, List<? extends VariableTree> given, Optional<Tree> result) {
+            String comment = docs.getDocComment(getCurrentPath());
+            if (comment == null) {
                 return;
             }
-            Said now = Said.in(said);
-            for (Tree type : result) {
-                ask(member, name, "what it returns", type.toString(), now.summary(), now);
-            }
+            Said said = Said.in(comment);
+            List<Asked> numbers = new ArrayList<>();
+            result.map(Tree::toString).filter(Reader::isNumber)
+                    .ifPresent(type -> numbers.add(new Asked("what it returns", name.replaceFirst("\\(.*", ""), type, "")));
             for (VariableTree each : given) {
-                String type = each.getType().toString();
-                ask(member, name, each.getName().toString(), each.toString().contains("...") ? type.replaceFirst("\\[]$", "") : type,
-                        now.of(each.getName().toString()), now);
+                String type = each.getType().toString().replaceFirst(each.toString().contains("...") ? "\\[]$" : "$", "");
+                if (isNumber(type)) {
+                    numbers.add(new Asked(each.getName().toString(), each.getName().toString(), type, said.of(each.getName().toString())));
+                }
             }
-            before = now.all();
+            long leftToSummary = numbers.stream().filter(each -> each.own().isEmpty() && !each.isNamed()).count();
+            for (Asked each : numbers) {
+                String text = each.own().isEmpty() ? said.summary() : each.own();
+                String leaning = LEANS.matcher(text).find() ? text + " " + said.all() + " " + before : text;
+                if (!each.isNamed() && mentions(leaning) < (each.own().isEmpty() ? leftToSummary : 1)) {
+                    gaps.add(place(member) + " " + name + ": say the unit of " + each.shown());
+                }
+                if (each.type().contains("[]") && !SHAPE.matcher(leaning + " " + said.summary()).find()) {
+                    gaps.add(place(member) + " " + name + ": say the shape of " + each.shown());
+                }
+            }
+            before = said.all();
         }
 
-        private void ask(Tree member, String name, String number, String type, String own, Said said) {
-            if (!type.startsWith("double")) {
-                return;
-            }
-            String text = LEANS.matcher(own).find() ? own + " " + said.all() + " " + before : own;
-            if (!UNIT.matcher(text).find() && !SAYS_KIND.matcher(text).find() && !NAMES_KIND.matcher(number).matches()) {
-                gaps.add(place(member) + " " + name + ": say the unit of " + number);
-            }
-            if (type.contains("[]") && !SHAPE.matcher(text + " " + said.summary()).find()) {
-                gaps.add(place(member) + " " + name + ": say the shape of " + number);
+        private static boolean isNumber(String type) {
+            return type.startsWith("double");
+        }
+
+        private static long mentions(String text) {
+            return UNIT.matcher(text).results().count() + SAYS_KIND.matcher(text).results().count();
+        }
+
+        /** A number of a member. @param own what is said of it alone; empty where the summary has to say it */
+        private record Asked(String shown, String name, String type, String own) {
+            boolean isNamed() {
+                return NAMES_KIND.matcher(name).matches();
             }
         }
 
@@ -340,10 +355,10 @@ class PublicDocumentationTest {
             return new Said(all, summary, own);
         }
 
-        /** What is said of a parameter: of itself, if that is more than what becomes of it. */
+        /** What is said of a parameter alone; empty where that is no more than what becomes of it. */
         String of(String parameter) {
             String text = own.getOrDefault(parameter, "").strip();
-            return SAYS_NO_MORE_THAN_THAT.matcher(text).matches() ? summary : text;
+            return SAYS_NO_MORE_THAN_THAT.matcher(text).matches() ? "" : text;
         }
     }
 }

@@ -188,7 +188,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns, at);
         }
 
-        /** The same body, completed. */
+        /** The same body, completed. @param kilograms its mass [kg], or moment of inertia [kg m²] */
         public Body completed(double kilograms, List<SensorFault> found, Optional<HiddenMode> rider, List<Drive> acting) {
             return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns, at);
         }

@@ -155,15 +155,18 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * the bands add up.
      *
      * @param band    two numbers: lowest and highest frequency [Hz]
-     * @param signal  part of the channel's power that lies in the band
+     * @param signal  share of the channel's power that lies in the band
      * @param before  without what was found @param after with it @param floor ratio that noise alone would leave
      * @param removed part of what is above the noise that went; NaN where there was too little to remove
      */
     public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {}
 
     /**
-     * A figure, one of the ratios of {@link Proof}, with what 90 % of other draws of the same blocks of data give; ends are NaN where they
-     * cannot be said.
+     * A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said.
+     *
+     * @param value a ratio of {@link Proof}
+     * @param low   end of that ratio
+     * @param high  end of that ratio
      */
     public record Ranged(double value, double low, double high) {}
 }

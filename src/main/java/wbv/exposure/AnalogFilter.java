@@ -31,7 +31,7 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         }
     }
 
-    /** Modulus of the response at a frequency [Hz]. */
+    /** Modulus of the response [1] at a frequency [Hz]. */
     public double modulus(double frequency) {
         double[] response = new double[2];
         response(frequency, response);

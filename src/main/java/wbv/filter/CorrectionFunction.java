@@ -66,7 +66,7 @@ public final class CorrectionFunction {
      * @param frequency  where: natural frequency [Hz]
      * @param damping    where: damping ratio
      * @param correction f for ln ω and ln ζ [1 a sample], two long
-     * @param move       G⁻¹ f, the way the parameters go: ln ω and ln ζ, two long
+     * @param move       G⁻¹ f, the way the parameters go: ln ω and ln ζ [1], two long
      * @param stable     whether they return when moved away from a zero: judged by {@link #converge} alone, false elsewhere
      * @param meanSquare of the innovations, in the square of their unit
      */

@@ -21,7 +21,7 @@ public record ArmaxFit(Armax model, double[] initial, double[] deviations, doubl
         return ModeDeviations.ofDiscrete(model.a(), scatter, model.rate());
     }
 
-    /** Schwarz's criterion {@code N ln σ² + d ln N} (1978): the lower the better. */
+    /** Schwarz's criterion {@code N ln σ² + d ln N} (1978) [1]: the lower the better. */
     public double schwarz() {
         int d = deviations.length + initial.length;
         return samples * Math.log(Math.max(model.variance(), Double.MIN_NORMAL)) + d * Math.log(samples);

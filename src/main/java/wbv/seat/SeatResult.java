@@ -43,7 +43,14 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
         }
     }
 
-    /** Natural frequency [Hz] and damping ratio [1] with their standard deviations. */
+    /**
+     * Natural frequency and damping with their standard deviations.
+     *
+     * @param frequency [Hz]
+     * @param frequencyDeviation [Hz]
+     * @param damping [1]
+     * @param dampingDeviation [1]
+     */
     public record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
     /**

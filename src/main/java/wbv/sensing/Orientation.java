@@ -18,7 +18,15 @@ public final class Orientation implements Serializable {
     /** Both frames alike. */
     public Orientation() {}
 
-    /** As a quaternion with its real part first, of any length but 0. @throws IllegalArgumentException if it is none */
+    /**
+     * As a quaternion with its real part first, of any length but 0.
+     *
+     * @param w [1]
+     * @param x [1]
+     * @param y [1]
+     * @param z [1]
+     * @throws IllegalArgumentException if it is none
+     */
     public static Orientation of(double w, double x, double y, double z) {
         Orientation made = new Orientation();
         made.set(w, x, y, z);
@@ -121,7 +129,7 @@ public final class Orientation implements Serializable {
         out[2] = oz;
     }
 
-    /** Turns the inner frame on by a rotation vector in its own axes [rad]. */
+    /** Turns the inner frame on by a rotation vector in its own axes. @param rx [rad] @param ry [rad] @param rz [rad] */
     public void turn(double rx, double ry, double rz) {
         double half = Math.sqrt(rx * rx + ry * ry + rz * rz) / 2;
         double c = Math.cos(half);

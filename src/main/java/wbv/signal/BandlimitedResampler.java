@@ -36,7 +36,7 @@ public final class BandlimitedResampler implements Snapshot {
      *
      * @param up          outputs for every {@code down} inputs, at least 1
      * @param down        at least 1
-     * @param passband    edge of the pass band as a part of the lower rate, above 0 and below 0.5
+     * @param passband    edge of the pass band as a share of the lower rate, above 0 and below 0.5
      * @param attenuation of what lies above half the lower rate, and of the ripple below the pass band's edge [dB], 30 to 160
      * @param sink        takes the outputs in order
      */
@@ -71,8 +71,8 @@ public final class BandlimitedResampler implements Snapshot {
      * Raises the rate of a signal that is known to end below half of it: the filter need not be steep.
      *
      * @param up          outputs for every input, at least 1
-     * @param passband    where the signal ends, as a part of its rate, above 0
-     * @param stopband    part of its rate where its first image begins, or nothing is wanted any more, above the pass band, below 1
+     * @param passband    where the signal ends, as a share of its rate, above 0
+     * @param stopband    share of its rate where its first image begins, or nothing is wanted any more, above the pass band, below 1
      * @param attenuation of what lies above, and of the ripple below the pass band's edge [dB], 30 to 160
      * @param sink        takes the outputs in order
      */

@@ -29,7 +29,7 @@ public final class CrossSpectrum {
         Arrays.setAll(pairs, i -> new Pair(segmentation, detrend));
     }
 
-    /** Takes the next sample of the input and of a single output, each in its own unit; NaN is missing. */
+    /** Takes the next sample of the input and of a single output; NaN is missing. @param x in its own unit @param y in its own unit */
     public void accept(double x, double y) {
         if (pairs.length != 1) {
             throw new IllegalArgumentException("one output sample for " + pairs.length + " outputs");

@@ -81,7 +81,9 @@ public final class GapBridge implements Serializable, Snapshot {
         return bridged;
     }
 
-    /** Takes a sample of any unit, NaN where missing, and gives the one of {@link #delay()} samples ago; NaN before the first. */
+    /**
+     * Takes a sample of any unit, NaN where missing, and gives the one of {@link #delay()} samples ago, in that unit; NaN before the first.
+     */
     public double accept(double value) {
         ring[at(0)] = value;
         if (!Double.isNaN(ring[at(1)]) && Double.isNaN(ring[at(2)])) {

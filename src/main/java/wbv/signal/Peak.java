@@ -15,7 +15,8 @@ public record Peak(double frequency, double height) {
      * may
      * rise further beyond.
      *
-     * @param frequency rising by equal steps [Hz] @param curve as many values, of any unit @param usable which of them count None is
+     * @param frequency by bin, rising in equal steps [Hz] @param curve as many values, of any unit @param usable which of them count None
+     *                  is
      *                  modified.
      */
     public static Optional<Peak> of(double[] frequency, double[] curve, boolean[] usable) {

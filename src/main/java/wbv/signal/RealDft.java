@@ -59,7 +59,8 @@ public final class RealDft {
     }
 
     /**
-     * The spectrum {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k + 1.
+     * The spectrum, in the unit of the sequence, {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k
+     * + 1.
      *
      * @param x sequence of any unit, N long. Not modified.
      */
@@ -94,7 +95,8 @@ public final class RealDft {
     /**
      * The sequence, N long, of which {@link #forward} gives this spectrum, in its unit.
      *
-     * @param spectrum real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are real in
+     * @param spectrum of any unit: real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are
+     *                 real in
      *                 the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {

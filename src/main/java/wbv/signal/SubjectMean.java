@@ -26,7 +26,8 @@ public record SubjectMean(double[] frequency, double[] mean, double[] deviation,
     /**
      * The response of one person.
      *
-     * @param frequency rising by equal steps [Hz] @param modulus as many values, of the curves' unit @param usable which of them are backed
+     * @param frequency by bin, rising in equal steps [Hz] @param modulus as many values, of the curves' unit @param usable which of them
+     *                  are backed
      *                  by
      *                  excitation
      */

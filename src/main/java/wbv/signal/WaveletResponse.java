@@ -13,8 +13,8 @@ import java.util.function.DoublePredicate;
  * {@link #AVERAGES} independent values of each; so a coherence above {@link #CHANCE} comes by chance once in twenty times.
  * Values nearer to an end than the wavelet reaches, or with a tenth or more of their weight on missing samples, are NaN.
  *
- * @param times       centres of the columns, rising evenly [s]
- * @param frequencies rising [Hz]
+ * @param times       by column, their centres, rising evenly [s]
+ * @param frequencies by row, rising [Hz]
  * @param modulus     in the unit of the output over that of the input, by column, then by frequency; NaN where nothing is known
  * @param phase       likewise [rad]
  * @param coherence   likewise, 0 to 1
@@ -109,7 +109,7 @@ public record WaveletResponse(double[] times, double[] frequencies, double[][] m
     }
 
     /**
-     * Where the response is greatest in each column, among what is backed, between samples by a parabola [Hz]; NaN where the
+     * By column, where the response is greatest there, among what is backed, between samples by a parabola [Hz]; NaN where the
      * greatest is at an end of what is backed.
      */
     public double[] ridge() {

@@ -22,7 +22,7 @@ import wbv.state.markov.HiddenMarkov;
  * @param mixture    how the mixtures were found, such as {@code message-length}
  * @param chain      over {@link #activity the last three features}
  * @param activities of the chain's states, K @param names of the chain's states, K
- * @param shares     how often a state is met among those of its jolt, K; 1 for others. Not copied; do not change them.
+ * @param shares     by state, how often it is met among those of its jolt, K long; 1 for others. Not copied; do not change them.
  * @param error      standard deviation of a jerk that is read [m/s³], &gt; 0
  * @param trials     names of the recordings it was trained on
  * @param rows       of every named state in the training

@@ -100,7 +100,7 @@ public final class StateTrack {
         return states.length;
     }
 
-    /** ln p of the features. */
+    /** ln p of the features [nat]. */
     public double logLikelihood() {
         return logLikelihood;
     }

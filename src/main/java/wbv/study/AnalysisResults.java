@@ -50,9 +50,9 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
      *
      * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
      * @param lost       why nothing is known after the last sample; empty if something is
-     * @param mean_nis mean of the normalised innovations squared
+     * @param mean_nis mean of the normalised innovations squared [1]
      * @param unexplained_rms of a sample of the output, in its channel's unit
-     * @param adwin_cuts_s by cut, from the first sample
+     * @param adwin_cuts_s from the first sample, as many as there are, at most 500
      */
     public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz,
             double damping_ratio, double damping_ratio_sd,

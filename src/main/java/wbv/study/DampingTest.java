@@ -62,7 +62,9 @@ public record DampingTest(String format, int version, Map<String, String> proven
      * @param natural_frequency_hz undamped
      * @param damping_ratio to the critical one
      * @param resonance_hz where its transmissibility is highest
+     * @param damping_ratio_deviation of that ratio
      * @param transmissibility there [1]
+     * @param transmissibility_deviation of that [1]
      * @param explained share of the seat's motion
      */
     public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio,

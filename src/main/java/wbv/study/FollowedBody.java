@@ -196,7 +196,7 @@ public final class FollowedBody {
         return estimator.estimator();
     }
 
-    /** Modulus of the response of the body as known after the last sample, at a frequency [Hz]. */
+    /** Modulus [1] of the response of the body as known after the last sample, at a frequency [Hz]. */
     public double modulus(double frequency) {
         return estimator().modulus(frequency);
     }

@@ -90,7 +90,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
     /**
      * A force over an acceleration at one place.
      *
-     * @param normalised apparent mass over the sitting mass, by bin; empty where that is not known
+     * @param normalised ratio of the apparent mass to the sitting mass, by bin; empty where that is not known
      * @param impedance_ns_per_m modulus by bin
      * @param absorbed_power_w_per_hz by bin
      * @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised

@@ -27,7 +27,7 @@ public record TypedExposure(DailyExposure day) {
      * The same for machines.
      *
      * @param a8 [m/s²]
-     * @param points by the HSE's count
+     * @param points by the HSE's count [1]
      * @param minutesToAction a day of this mix of spells; NaN if never
      * @param estimatedDose [m/s^1.75]
      */

@@ -194,7 +194,7 @@ public sealed interface Modulator {
             return whole.unit();
         }
 
-        /** The part, &gt;= 0, of a value of the whole. */
+        /** The part, &gt;= 0, of a value of the whole, in its unit. @param value in the unit of the whole */
         public double of(double value) {
             return part == Part.MAGNITUDE ? Math.abs(value) : Math.max(0, part == Part.POSITIVE ? value : -value);
         }

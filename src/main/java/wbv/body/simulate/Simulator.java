@@ -61,7 +61,8 @@ public final class Simulator {
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
      * @param bends    what goes beyond small motions; empty where nothing does
-     * @param recorded part of each output that its sensor's other channels make, as spectra by output, as they were recorded: late as they
+     * @param recorded part of each output that its sensor's other channels make, as spectra by output, in its own unit, as they were
+     *                 recorded: late as they
      *                 are; empty where they
      *                 make none
      */
@@ -127,7 +128,7 @@ public final class Simulator {
 
     /**
      * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by
-     * output.
+     * output, in its own unit.
      *
      * @param axis along which @param as as which; the same for what it did
      */

@@ -29,7 +29,7 @@ public final class Gram {
     }
 
     /**
-     * Products of vectors with each of some others, in the product of the units, by other and vector.
+     * Products of vectors with each of some others, in the product of the units, by number of the other, then by vector.
      *
      * @param vectors of the same length each, in one unit
      * @param others as long each, in one unit. Neither is modified.
@@ -94,6 +94,7 @@ public final class Gram {
      * Products of vectors with another, in the product of the units, by vector.
      *
      * @param vectors of its length each, in one unit. Not modified.
+     * @param other as long, of any unit. Not modified.
      */
     public static double[] products(double[][] vectors, double[] other) {
         double[] out = new double[vectors.length];

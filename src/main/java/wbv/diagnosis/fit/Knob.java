@@ -70,7 +70,7 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return name.substring(name.lastIndexOf(' ') + 1);
     }
 
-    /** The number at a coordinate, in its own unit. */
+    /** The number at a coordinate, in its own unit. @param x [1] */
     public double value(double x) {
         return unit == 0 ? reference * Math.exp(x) : reference + unit * x;
     }

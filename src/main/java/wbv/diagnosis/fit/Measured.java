@@ -132,7 +132,7 @@ public final class Measured {
      */
     public record InputNoise(double deviation, int order) {
 
-        /** That of the acceleration at a frequency [rad/s]. */
+        /** Power of the noise of the acceleration, in the square of its unit. @param omega frequency [rad/s] */
         public double power(double omega) {
             return Math.pow(deviation * Math.pow(omega, order), 2);
         }

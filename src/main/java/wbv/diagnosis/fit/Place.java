@@ -122,8 +122,8 @@ public record Place(Kind kind, int index) {
     }
 
     /**
-     * What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by
-     * itself.
+     * What a unit of anything that enters here does to each output at every line of an excitation, spectra by output; of a device each
+     * channel does that by itself.
      */
     public double[][] direction(Excitation excitation, Assembly assembly) {
         if (!isSensor()) {

@@ -133,9 +133,11 @@ public final class Remainder {
     }
 
     /**
-     * target += x y, line by line, spectra of any unit.
+     * target += x y, line by line.
      *
-     * @param target in the product of the units of x and y. Modified; x and y are not.
+     * @param x spectrum of any unit
+     * @param y spectrum of any unit
+     * @param target spectrum in the product of the units of x and y. Modified; x and y are not.
      */
     public static void add(double[] target, double[] x, double[] y) {
         for (int i = 0; i < x.length; i += 2) {

@@ -122,7 +122,7 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             this(key, unit, low, high, 0);
         }
 
-        /** Found by factors. Named by the law that it belongs to. */
+        /** Found by factors. Named by the law that it belongs to. @param low in the number's unit @param high likewise */
         public static Number factor(double low, double high) {
             return new Number("", 0, low, high);
         }

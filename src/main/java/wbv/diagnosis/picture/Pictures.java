@@ -66,6 +66,11 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     /**
      * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and
      * frequency [dB]; NaN where nothing was measured.
+     *
+     * @param time by column [s]
+     * @param frequency by row [Hz]
+     * @param before by time and frequency [dB], of the earlier model
+     * @param after likewise, of the later
      */
     public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) {}
 
@@ -74,8 +79,12 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      *
      * @param input  channel of the excitation
      * @param unit   of the moduli
+     * @param frequency by line [Hz]
+     * @param measured by line, in the unit of the moduli
      * @param error  relative standard error of what was measured, by line
      * @param usable where coherence and excitation back what was measured
+     * @param before by line, in the unit of the moduli, of the earlier model
+     * @param after  likewise, of the later
      */
     public record Transfer(String input, String unit, double[] frequency, double[] measured, double[] error, boolean[] usable,
             double[] before,

@@ -53,7 +53,7 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
      * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
-     * @return by hypothesis, logarithms of their evidences but for what is the same for all [nat]
+     * @return as many, logarithms of their evidences but for what is the same for all [nat]
      */
     public double[] evidence(double... left) {
         double least = Arrays.stream(left).min().orElse(1);

@@ -158,7 +158,11 @@ public final class Refinement {
         return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
     }
 
-    /** What is left beyond the noise [1]; half of it at least, so that fits near the noise are alike. */
+    /**
+     * What is left beyond the noise [1]; half of it at least, so that fits near the noise are alike.
+     *
+     * @param reduced mean square of a whitened residual
+     */
     public static double excess(double reduced) {
         return Math.max(reduced - 1, 0.5);
     }

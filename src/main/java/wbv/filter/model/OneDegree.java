@@ -76,7 +76,7 @@ public final class OneDegree implements BodyModel {
         setOutput(xi[2], xi[3]);
     }
 
-    /** Takes ln ω, ω in rad/s, and ln ζ. */
+    /** Takes ln ω, ω in rad/s, and ln ζ. @param logOmega logarithm of ω @param logDamping logarithm of ζ */
     public void set(double logOmega, double logDamping) {
         setOutput(logOmega, logDamping);
         step.set(damper, spring, reference);

@@ -102,7 +102,7 @@ public sealed interface Finding {
 
     /** The measured rate departs from the nominal one. @param nominal [Hz] @param measured [Hz] */
     record Drift(double nominal, double measured) implements Finding {
-        /** Departure in parts per million. */
+        /** Departure as a ratio, in parts per million. */
         public double ppm() {
             return 1e6 * (measured / nominal - 1);
         }

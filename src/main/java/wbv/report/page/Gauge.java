@@ -22,7 +22,14 @@ public record Gauge(double from, double to, List<Range> ranges, List<Mark> marks
     private static final double LINE = 15;
     private static final double LETTER = 5.6;
 
-    /** A part of the scale. @param kind names its colour: a class of the page's style sheet @param words for who cannot see it */
+    /**
+     * A part of the scale.
+     *
+     * @param from in the scale's unit
+     * @param to likewise
+     * @param kind names its colour: a class of the page's style sheet
+     * @param words for who cannot see it
+     */
     public record Range(double from, double to, String kind, String words) {}
 
     /** A line across the scale. @param at in the scale's unit @param label may be empty */

@@ -82,7 +82,7 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
      * A model whose states are the components of a mixture, with transitions counted between the likeliest components of
      * neighbouring rows.
      *
-     * @param sequences rows with NaN are passed over @param pseudo counts that every transition has beforehand, &gt; 0
+     * @param sequences rows with NaN are passed over @param pseudo counts [1] that every transition has beforehand, &gt; 0
      */
     public static HiddenMarkov of(Mixture mixture, List<double[][]> sequences, double pseudo) {
         int k = mixture.size();

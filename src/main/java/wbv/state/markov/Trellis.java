@@ -138,7 +138,7 @@ public final class Trellis {
         }
     }
 
-    /** ln p of the sequence. */
+    /** ln p of the sequence [nat]. */
     public double logLikelihood() {
         return logLikelihood;
     }

@@ -147,7 +147,7 @@ public final class Gaussian implements Serializable {
     }
 
     /**
-     * ln p(x).
+     * ln p(x) [nat].
      *
      * @param x length d, in the means' units. Not modified. @param scratch room of no unit, at least d long. Modified.
      */

@@ -23,7 +23,7 @@ public final class Spread {
         this.products = new double[d * d];
     }
 
-    /** Adds a row. @param w its weight @param x length d, each number in its own unit. Not modified. */
+    /** Adds a row. @param w its weight [1] @param x length d, each number in its own unit. Not modified. */
     public void add(double w, double[] x) {
         weight += w;
         for (int i = 0; i < d; i++) {
@@ -54,7 +54,7 @@ public final class Spread {
         }
     }
 
-    /** Sum of the weights. */
+    /** Sum of the weights [1]. */
     public double weight() {
         return weight;
     }
@@ -68,7 +68,7 @@ public final class Spread {
         return mean;
     }
 
-    /** The covariance with the sum of weights as divisor, d by d. */
+    /** The covariance with the sum of weights as divisor, d by d, in products of the rows' units. */
     public double[] covariance() {
         double[] covariance = new double[d * d];
         for (int i = 0; i < d; i++) {

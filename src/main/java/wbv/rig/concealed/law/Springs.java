@@ -58,7 +58,14 @@ public final class Springs {
         };
     }
 
-    /** A ball on a flat: hertz δ^1.5 once compressed by more than the gap. */
+    /**
+     * A ball on a flat: hertz δ^1.5 once compressed by more than the gap.
+     *
+     * @param k [N/m]
+     * @param c [N s/m]
+     * @param hertz [N/m^1.5]
+     * @param gap [m]
+     */
     public static LinkPhysics hertz(double k, double c, double hertz, double gap) {
         return (Instant) (r, v) -> {
             double depth = Math.max(0, -r - gap);
