@@ -70,9 +70,10 @@ class PublicDocumentationTest {
 
     /** What arrays are indexed by, or how long they are. A spectrum is one of {@code wbv.body.Spectra}, a series goes by sample. */
     private static final Pattern SHAPE = Pattern.compile("\\b(by (axis|bin|body|channel|column|component|coordinate|dimension|direction"
-            + "|error|frequency|group|input|label|law|line|link|model|motion|number|output|parameter|place|plane|point|pole|row|sample"
-            + "|state|target|time|vector)s?|\\w{1,2} by \\w{1,2}|row by row|line by line|long|length|spectr(um|a)|series|bins?|as (many|long)"
-            + "|one( \\w+)? an? \\w+|one (for|of|per) each|(two|three|four|six) numbers)\\b", Pattern.CASE_INSENSITIVE);
+            + "|error|frequency|group|input|label|law|line|link|model|motion|number|output|parameter|place|plane|point|pole|row"
+            + "|sample|state|target|time|vector)s?|\\w{1,2} by \\w{1,2}|row by row|line by line|long|length|spectr(um|a)|series|bins?"
+            + "|as (many|long)|one( \\w+)? an? \\w+|one (for|of|per) each|(two|three|four|six) numbers)\\b",
+            Pattern.CASE_INSENSITIVE);
 
     /** A text that leans on the one before it. */
     private static final Pattern LEANS = Pattern.compile("^the same\\b|\\b(likewise|as there)\\b", Pattern.CASE_INSENSITIVE);
