@@ -60,7 +60,7 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         }
     }
 
-    /** All parameters, each in its own unit, in the order of the class's text, as long as there are. A new array. */
+    /** All parameters, each in its own unit, in the order of the class's text, one for each. A new array. */
     public double[] values() {
         return records().stream().map(Numbers::values)
                 .reduce(structure.values(), Assembly::joined);

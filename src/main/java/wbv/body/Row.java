@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
  * A linear combination of few of many coordinates: Σ by_i q_(at_i).
  *
  * @param at indices of coordinates, each once, &gt;= 0. Not copied
- * @param by factor by which each is taken, as long as {@code at}: 1, or a lever arm [m] of an angle. Not copied
+ * @param by factor by which each is taken, as long as {@code at}: 1, -1, or a lever arm [m] of an angle. Not copied
  */
 public record Row(int[] at, double[] by) {
 

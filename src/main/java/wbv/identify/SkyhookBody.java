@@ -36,7 +36,7 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
      * taken for band-limited, as sensors give it.
      *
      * @param rate   samples per second [Hz]
-     * @param u      input by sample [m/s² or rad/s], without offset and gaps. Not modified. @param others other motions, likewise. Not
+     * @param u      input by sample, in its own unit, without offset and gaps. Not modified. @param others other motions, likewise. Not
      *               modified.
      * @param y      output, likewise. Not modified.
      * @return empty if nothing moves, or the motions cannot be told apart
@@ -79,7 +79,7 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
     /**
      * Output by sample from a band-limited input, in its unit, at rest before it.
      *
-     * @param u by sample [m/s² or rad/s], without gaps. Not modified.
+     * @param u by sample, in its own unit, without gaps. Not modified.
      * @param rate [Hz]
      */
     public double[] simulate(double[] u, double rate) {

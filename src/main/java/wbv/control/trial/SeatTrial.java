@@ -75,7 +75,7 @@ public final class SeatTrial {
      * A ride with a controller that is told of the sitter wrongly.
      *
      * @param tuning in the unit of the family
-     * @param wrong factor by which the frequency that is told is off
+     * @param wrong factor on the masses, the natural frequency and the damping ratio that are told
      */
     public TrialResult runMisled(Maker maker, ControllerFamily family, double tuning, double wrong) {
         ToldSitter source = new ToldSitter(Maker.apparent(ride.sitter()).times(wrong, wrong, wrong));

@@ -373,7 +373,7 @@ public final class Evidence {
      */
     public record InputWay(Channel sensor, double noise, int order, Supplier<double[][]> transfer) {
 
-        /** Power of the noise as it enters, in the square of that unit. @param omega frequency [rad/s] */
+        /** Power of the noise as it enters, in the square of the unit of what enters. @param omega frequency [rad/s] */
         public double power(double omega) {
             return Math.pow(noise * Math.pow(omega, order), 2);
         }

@@ -63,7 +63,7 @@ public final class Window {
         return spacing;
     }
 
-    /** Sum of the taper's squares: white noise of unit variance has this energy under it. */
+    /** Sum of the taper's squares [1]: white noise of unit variance has this energy under it. */
     public double weight() {
         return 2 / (scale * scale);
     }

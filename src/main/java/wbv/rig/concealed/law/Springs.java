@@ -26,7 +26,7 @@ public final class Springs {
         return (Instant) (r, v) -> k * x * Math.tanh(r / x) + c * v;
     }
 
-    /** k r / (1 + |r|/x). @param k [N/m] @param c [N s/m] @param x deflection of half the stiffness [m] */
+    /** k r / (1 + |r|/x). @param k [N/m] @param c [N s/m] @param x where the secant has half of k [m] */
     public static LinkPhysics rational(double k, double c, double x) {
         return (Instant) (r, v) -> k * r / (1 + Math.abs(r) / x) + c * v;
     }
