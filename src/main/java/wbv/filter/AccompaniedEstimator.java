@@ -33,8 +33,7 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
     }
 
     /**
-     * The output that goes with the next samples of all inputs, from everything before them [m/s² or rad/s]. Changes
-     * nothing.
+     * The output that goes with the next samples of all inputs, from everything before them [m/s² or rad/s]. Changes nothing.
      *
      * @param u      input [m/s² or rad/s]; NaN if missing
      * @param others other motions, by motion, each in its own unit; NaN if missing. Not modified.

@@ -152,8 +152,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
 
     /**
      * Bounds of the absent attribute where the measured one has this value, in its unit: the least and the largest y of the polygon over
-     * it.
-     * Beyond the polygon those at its nearest end count, and the chord says so.
+     * it. Beyond the polygon those at its nearest end count, and the chord says so.
      */
     public Chord at(double value) {
         double within = Math.max(least(), Math.min(largest(), value));

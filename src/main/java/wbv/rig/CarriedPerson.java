@@ -99,8 +99,7 @@ public final class CarriedPerson {
      * What the links do.
      *
      * @param state as long as the whole's states, holds the place of every body less that of the frame [m] from {@code x} on, their rates
-     *              [m/s] from {@code v} on. Not
-     *              modified.
+     *              [m/s] from {@code v} on. Not modified.
      * @param into  absolute acceleration of every body [m/s²], as long as {@link #bodies}. Modified.
      * @return force on the frame, upwards positive, without weight [N]
      */

@@ -96,8 +96,7 @@ public final class RealDft {
      * The sequence, N long, of which {@link #forward} gives this spectrum, in its unit.
      *
      * @param spectrum of any unit: real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are
-     *                 real in
-     *                 the spectrum of any real sequence: their imaginary parts do not count. Not modified.
+     *                 real in the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {
         if (spectrum.length > length + 2) {

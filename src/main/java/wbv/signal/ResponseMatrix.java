@@ -191,8 +191,7 @@ public final class ResponseMatrix {
 
     /**
      * Half the interval, by bin [unit_y/unit_x], about the real part of an entry of H1, or about its modulus where that is large, for a
-     * level of
-     * confidence.
+     * level of confidence.
      *
      * @param level of confidence, such as 0.95
      */

@@ -25,8 +25,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
 
     /**
      * How a model and a response differ where it is usable. @param relative rms of the difference over rms @param inside share of it within
-     * the
-     * band
+     * the band
      */
     public record Misfit(double relative, double inside) {}
 

@@ -240,9 +240,8 @@ public final class Excitation {
 
     /**
      * A series in its own unit with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are
-     * there takes the
-     * polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight
-     * line.
+     * there takes the polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a
+     * longer one a straight line.
      *
      * @param x a series of any unit, NaN in gaps. Not modified.
      */

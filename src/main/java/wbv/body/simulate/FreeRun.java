@@ -175,9 +175,8 @@ public final class FreeRun {
      * @param acceleration of the base [m/s²], by axis and sample. Not modified.
      * @param bodyForce known force on each body [N], by body and sample; an empty array for none. Not modified.
      * @param forceSlope derivative of the known force to each parameter [N per the parameter's unit], by parameter, body and sample; no
-     *                   bodies where there is
-     *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
-     *                   alone. Not modified.
+     *                   bodies where there is none. May be longer than {@link #parameters}: the rest are parameters that act through the
+     *                   known force alone. Not modified.
      */
     public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
         int n = acceleration[0].length;

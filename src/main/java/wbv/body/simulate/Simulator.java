@@ -54,17 +54,13 @@ public final class Simulator {
      *
      * @param outputs  spectrum by output, in its own unit
      * @param slopes   derivative of each output to each parameter of {@link Assembly#values}, in the units of both: spectra by parameter
-     *                 and
-     *                 output; those not asked for
-     *                 are empty
+     *                 and output; those not asked for are empty
      * @param forces   spectrum of the force of each law [N]
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
      * @param bends    what goes beyond small motions; empty where nothing does
      * @param recorded part of each output that its sensor's other channels make, as spectra by output, in its own unit, as they were
-     *                 recorded: late as they
-     *                 are; empty where they
-     *                 make none
+     *                 recorded: late as they are; empty where they make none
      */
     public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged,
             Optional<Bends> bends, double[][] recorded) {}

@@ -19,8 +19,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
  * @param carried   share of the excess that it carries
  * @param following how its level follows that of the ride
  * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
- *                  whose
- *                  links could do the same; negative infinity where a link with a law that was found would carry nearly as much
+ *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
  */
 public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead) {
 

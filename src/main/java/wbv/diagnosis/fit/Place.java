@@ -104,8 +104,7 @@ public record Place(Kind kind, int index) {
 
     /**
      * A fit, as coordinates [1], one a knob, in which this place was ignored, with the place's own numbers as the user gave them, since
-     * nothing told them: a link's, a
-     * body's mass, and that of a body on the base, on which a force in its link acts.
+     * nothing told them: a link's, a body's mass, and that of a body on the base, on which a force in its link acts.
      *
      * @param x coordinates [1], one a knob. Not modified.
      */

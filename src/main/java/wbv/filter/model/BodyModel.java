@@ -5,10 +5,9 @@ import java.io.Serializable;
 /**
  * A linear body on a shaken base, at one set of parameters. The body is a sum of modes, each {@link OneDegree}.
  *
- * <p>An estimate is one vector {@code ξ = [motion, parameters, offset]}: two states a mode, then {@link #parameters} numbers,
- * then the offset between two sensors: n numbers, each in a unit of its own. A model reads its parameters from ξ when it is {@link #set},
- * and motion from it
- * otherwise.
+ * <p>An estimate is one vector {@code ξ = [motion, parameters, offset]}: two states a mode, then {@link #parameters} numbers, then the
+ * offset between two sensors: n numbers, each in a unit of its own. A model reads its parameters from ξ when it is {@link #set}, and motion
+ * from it otherwise.
  */
 public sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree, TwoDegrees {
 

@@ -28,8 +28,7 @@ public final class Trellis {
      * With what else is known of the states at every row.
      *
      * @param rows T by d, each column in its own unit, T &gt;= 1. Not modified. @param evidence T by K, logarithms that are added to those
-     *             of the densities, or
-     *             none. Not modified.
+     *             of the densities, or none. Not modified.
      */
     public Trellis(HiddenMarkov model, double[][] rows, double[][] evidence) {
         this.model = model;

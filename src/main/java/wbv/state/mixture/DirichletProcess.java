@@ -33,8 +33,7 @@ public final class DirichletProcess {
      * A chain that begins with all rows in one cluster.
      *
      * @param rows n by d, each column in its own unit, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between
-     *             sweeps if he calls
-     *             {@link #rebuild}.
+     *             sweeps if he calls {@link #rebuild}.
      * @param a shape [1] and @param b rate [1] of the concentration's gamma prior, &gt; 0
      */
     public DirichletProcess(double[][] rows, NormalWishart prior, double a, double b, RandomGenerator random) {

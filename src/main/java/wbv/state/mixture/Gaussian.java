@@ -45,8 +45,8 @@ public final class Gaussian implements Serializable {
      * is not positive definite gets the floor added to its diagonal until it is.
      *
      * @param mean length d, each number in its own unit. Copied. @param covariance d by d, by rows, in products of those units, symmetric;
-     *             off its diagonal not looked at where the shape
-     *             is diagonal. Copied. @param floor least variance by dimension, in the square of its unit, &gt; 0. Not modified.
+     *             off its diagonal not looked at where the shape is diagonal. Copied. @param floor least variance by dimension, in the
+     *             square of its unit, &gt; 0. Not modified.
      * @throws IllegalArgumentException if a number is not finite or the sizes do not fit
      */
     public static Gaussian of(CovarianceShape shape, double[] mean, double[] covariance, double[] floor) {

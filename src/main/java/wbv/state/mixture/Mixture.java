@@ -57,9 +57,7 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
      * Thesis: Eq. 7-1.
      *
      * @param x length d, each number in its own unit. Not modified. @param logs ln w_m N(x; μ_m, C_m) [nat] of every component, at least
-     *          {@link
-     *          #size} long.
-     *          Modified. @param scratch room of no unit, at least d long. Modified.
+     *          {@link #size} long. Modified. @param scratch room of no unit, at least d long. Modified.
      */
     public double logDensity(double[] x, double[] logs, double[] scratch) {
         if (weights.length == 1) {

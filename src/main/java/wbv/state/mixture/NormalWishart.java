@@ -10,8 +10,7 @@ import org.apache.commons.math3.random.RandomGenerator;
  *
  * @param mean  m, length d, each number in its own unit. Not copied; do not change it. @param strength κ, a number of rows, &gt; 0
  * @param scale Ψ, d by d, by rows, in products of those units. Not copied; do not change it. @param freedom ν, number of degrees of
- *              freedom, &gt; d -
- *              1
+ *              freedom, &gt; d - 1
  */
 public record NormalWishart(double[] mean, double strength, double[] scale, double freedom) implements Serializable {
 

@@ -15,8 +15,7 @@ public interface LinkPhysics {
      * The force that pulls the upper body towards the lower one [N].
      *
      * @param t time [s] @param r extension [m] @param v its rate [m/s] @param y as long as all states, each in its own unit. Not modified.
-     *          @param at own first
-     * state
+     *          @param at own first state
      */
     double force(double t, double r, double v, double[] y, int at);
 
