@@ -316,7 +316,7 @@ class PublicDocumentationTest {
                 if (!each.isNamed() && mentions(leaning) < (each.own().isEmpty() ? leftToSummary : 1)) {
                     gaps.add(place(member) + " " + name + ": say the unit of " + each.shown());
                 }
-                if (each.type().contains("[]") && !SHAPE.matcher(leaning + " " + said.summary()).find()) {
+                if (each.type().contains("[]") && !SHAPE.matcher(each.name() + " " + leaning).find()) {
                     gaps.add(place(member) + " " + name + ": say the shape of " + each.shown());
                 }
             }

@@ -20,7 +20,7 @@ public final class Spectra {
     /**
      * The product of two spectra, line by line, in the product of their units. A new array.
      *
-     * @param x of any unit
+     * @param x spectrum of any unit
      * @param y of any unit, as long. Neither is modified.
      */
     public static double[] product(double[] x, double[] y) {
@@ -32,7 +32,7 @@ public final class Spectra {
     /**
      * Adds a multiple of the product of two spectra of any units, line by line.
      *
-     * @param x of any unit @param y of any unit, as long
+     * @param x spectrum of any unit @param y of any unit, as long
      * @param out in the product of their units, a spectrum as long as they. Modified.
      */
     public static void addProduct(double[] x, double[] y, double factor, double[] out) {

@@ -84,7 +84,7 @@ public record Imaging(List<ImagePlane> planes) implements Serializable {
     /**
      * The transform, {@code X_k = Σ_n w_n x_n exp(-j2πkn/64)} of every segment less its mean.
      *
-     * @param samples {@value #SAMPLES} or more, of any unit. Not modified.
+     * @param samples series of any unit, of {@value #SAMPLES} or more. Not modified.
      * @return for every moment, in the samples' unit, real and imaginary part of bins 1 to 32 in turn
      */
     public static double[][] transform(double[] samples) {

@@ -26,7 +26,7 @@ public final class Peers {
     /**
      * The thesis' benchmark: refined instrumental variables, a transfer function of twice as many poles as modes.
      *
-     * @param motion excitation and answer [m/s²] at {@value Imaging#RATE} Hz. Not modified.
+     * @param motion excitation and answer, each a series [m/s²], at {@value Imaging#RATE} Hz. Not modified.
      */
     public static Estimate instruments(double[][] motion, int modes) {
         double[] value = nothing(modes);
@@ -102,7 +102,7 @@ public final class Peers {
      * One mode from its answer alone, as if its excitation were white from 0.5 to 10 Hz: the likelihood of the spectrum (Whittle
      * 1953), over a grid of 0.05 to 0.8 and 1.5 to 10 Hz.
      *
-     * @param answer [m/s²], as networks read it. Not modified.
+     * @param answer series as networks read it [m/s²]. Not modified.
      */
     public static Estimate spectrum(double[] answer) {
         double[] centred = withoutMean(answer);

@@ -106,7 +106,7 @@ public final class BandlimitedResampler implements Snapshot {
     /**
      * A whole array at another rate: {@code ceil(length · up / down)} values, in the unit of the samples.
      *
-     * @param samples of any unit. Not modified.
+     * @param samples series of any unit. Not modified.
      */
     public static double[] resample(double[] samples, int up, int down) {
         double[] out = new double[Math.toIntExact(((long) samples.length * up + down - 1) / down)];

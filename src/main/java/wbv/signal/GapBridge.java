@@ -55,7 +55,7 @@ public final class GapBridge implements Serializable, Snapshot {
     /**
      * A whole series, bridged and on time, in its own unit.
      *
-     * @param values of any unit, NaN where missing. Not modified.
+     * @param values by sample, of any unit, NaN where missing. Not modified.
      * @param longest as the constructor has it
      */
     public static double[] over(double[] values, int longest) {

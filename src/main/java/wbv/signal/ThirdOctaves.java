@@ -7,7 +7,7 @@ import java.util.function.DoubleUnaryOperator;
  * {@code 10^((n-½)/10)} to {@code 10^((n+½)/10)} Hz.
  *
  * @param first n of the first band
- * @param rms   of each band in turn, in the signal's unit. Not copied.
+ * @param rms   as many as there are bands, of each in turn, in the signal's unit. Not copied.
  */
 public record ThirdOctaves(int first, double[] rms) {
 

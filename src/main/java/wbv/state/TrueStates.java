@@ -19,7 +19,8 @@ import wbv.recording.DataFault;
  * with the columns {@code episode}, {@code jolt}, {@code seat_jerk_m_per_s3} and {@code head_jerk_m_per_s3}.
  *
  * @param activities what was done to the sitter, one for each sample
- * @param states   one for each sample @param seatJerk how the seat really jerked [m/s³]. Not copied. @param headJerk the head, likewise
+ * @param states   one for each sample @param seatJerk by sample, how the seat really jerked [m/s³]. Not copied. @param headJerk the head,
+ *                 likewise
  */
 public record TrueStates(List<Activity> activities, List<MotionState> states, double[] seatJerk, double[] headJerk) {
 

@@ -101,10 +101,10 @@ public record DampingTest(String format, int version, Map<String, String> proven
     /**
      * Arrays of one length. Not copied.
      *
-     * @param frequency_hz rising
-     * @param transmissibility |H1| [1]
-     * @param margin half its band [1]
-     * @param fitted |H| of what was fitted [1]; NaN if none
+     * @param frequency_hz by line, rising
+     * @param transmissibility |H1| by line [1]
+     * @param margin half its band, by line [1]
+     * @param fitted |H| of what was fitted, by line [1]; NaN if none
      */
     public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) {}
 

@@ -376,7 +376,7 @@ public final class Measured {
         return out;
     }
 
-    /** A series less its mean, in its unit, a new array. @param x of any unit. Not modified. */
+    /** A series less its mean, in its unit, a new array. @param x by sample, of any unit. Not modified. */
     public static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();

@@ -9,7 +9,7 @@ import wbv.state.mixture.Mixture;
  * A hidden Markov model with a mixture of normal densities in every state; a mixture of one is a normal density.
  * Thesis: Eq. 7-3, 7-4.
  *
- * @param initial    probabilities of the first state, K. Not copied; do not change them.
+ * @param initial    probabilities of the first state, K long. Not copied; do not change them.
  * @param transition probabilities from state (row) to state (column), K by K, rows sum to one. Not copied; do not change them.
  * @param emissions  density of a row in every state, K
  */
