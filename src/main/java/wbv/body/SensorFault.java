@@ -185,7 +185,12 @@ public sealed interface SensorFault {
         }
     }
 
-    /** Values are rounded to whole steps. @param step [the channel's unit], &gt; 0 @param level one of the values that it can have */
+    /**
+     * Values are rounded to whole steps.
+     *
+     * @param step [the channel's unit], &gt; 0
+     * @param level one of the values that it can have, in the channel's unit
+     */
     record Quantised(@Key("step") double step, @Key("level") double level) implements SensorFault {
         public Quantised {
             Check.positive("step", "channel's unit", step);

@@ -121,7 +121,7 @@ public final class DiscreteRiccati {
         return h;
     }
 
-    /** Frobenius norm of {@code Aᵀ X (I + G X)⁻¹ A + H - X} over that of X: what a solution leaves. Allocates. */
+    /** Frobenius norm of {@code Aᵀ X (I + G X)⁻¹ A + H - X} over that of X [1]: what a solution leaves. Allocates. */
     public static double residual(DMatrixRMaj a, DMatrixRMaj g, DMatrixRMaj h, DMatrixRMaj x) {
         int n = a.numRows;
         DMatrixRMaj w = CommonOps_DDRM.identity(n);

@@ -22,7 +22,7 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         }
     }
 
-    /** The complex response at a frequency [Hz]. @param response real and imaginary part. Modified. */
+    /** The complex response at a frequency [Hz]. @param response real and imaginary part [1], two long. Modified. */
     public void response(double frequency, double[] response) {
         response[0] = 1;
         response[1] = 0;
@@ -31,7 +31,7 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         }
     }
 
-    /** Modulus of the response at a frequency [Hz]. */
+    /** Modulus of the response [1] at a frequency [Hz]. */
     public double modulus(double frequency) {
         double[] response = new double[2];
         response(frequency, response);

@@ -32,7 +32,7 @@ public final class Cascade implements Snapshot {
         this.state = new double[2 * coefficients.length / COEFFICIENTS];
     }
 
-    /** Takes the next sample and gives what comes out. */
+    /** Takes the next sample, of any unit, and gives what comes out, in that unit times the gain. */
     public double step(double value) {
         double x = value;
         for (int s = 0, c = 0; s < state.length; s += 2, c += COEFFICIENTS) {
@@ -70,7 +70,7 @@ public final class Cascade implements Snapshot {
         pair[1] = x1;
     }
 
-    /** Goes to the state in which a constant input has always been there. */
+    /** Goes to the state in which a constant input has always been there. @param value of any unit */
     public void settle(double value) {
         double x = value;
         for (int s = 0, c = 0; s < state.length; s += 2, c += COEFFICIENTS) {
@@ -111,7 +111,7 @@ public final class Cascade implements Snapshot {
         System.arraycopy(memory, 0, state, 0, state.length);
     }
 
-    /** The coefficients b0 b1 b2 a1 a2 of each biquad in turn. */
+    /** The coefficients b0 b1 b2 a1 a2 [1] of each biquad in turn, five for each: five times {@link #sections} long. A copy. */
     public double[] coefficients() {
         return coefficients.clone();
     }

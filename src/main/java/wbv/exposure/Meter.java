@@ -31,7 +31,7 @@ public final class Meter implements Snapshot {
         return new Meter(stream.fresh(other), other);
     }
 
-    /** A meter for a recording whose mean is known. @param rate [Hz] @see ExactWeigher */
+    /** A meter for a recording whose mean is known. @param rate [Hz] @param mean in the samples' unit @see ExactWeigher */
     public static Meter exact(AnalogFilter filter, double rate, double mean, boolean boxcar) {
         return exact(filter, rate, mean, boxcar, (value, running) -> {});
     }

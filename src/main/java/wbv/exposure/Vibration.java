@@ -24,17 +24,17 @@ public record Vibration(double seconds, double missing, double rms, double devia
     /** VDV / (a_w T^¼) above which shocks need more than r.m.s. (ISO 2631-1 6.3.3). */
     public static final double GREATEST_VDV_RATIO = 1.75;
 
-    /** Greatest modulus over a_w; 0 where nothing moves. */
+    /** Greatest modulus over a_w [1]; 0 where nothing moves. */
     public double crestFactor() {
         return ratio(peak, rms);
     }
 
-    /** MTVV over a_w; 0 where nothing moves. */
+    /** MTVV over a_w [1]; 0 where nothing moves. */
     public double mtvvRatio() {
         return ratio(mtvv, rms);
     }
 
-    /** VDV over a_w T^¼; 0 where nothing moves. */
+    /** VDV over a_w T^¼ [1]; 0 where nothing moves. */
     public double vdvRatio() {
         return ratio(vdv, rms * Math.sqrt(Math.sqrt(seconds)));
     }

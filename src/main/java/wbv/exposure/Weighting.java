@@ -94,8 +94,8 @@ public enum Weighting {
     /**
      * How far a weighting may be off at a frequency.
      *
-     * @param below part that may be lacking, 0 to 1
-     * @param above part that may be too much
+     * @param below share that may be lacking, 0 to 1
+     * @param above share that may be too much
      */
     public record Tolerance(double below, double above) {}
 

@@ -35,7 +35,7 @@ final class Linearised implements Moments {
         this.work = new double[n * n];
     }
 
-    /** Those of a model, written out where it has one degree of freedom. @param model, decay as the constructor has them */
+    /** Those of a model, written out where it has one degree of freedom. @param model as the constructor has it @param decay likewise */
     static Moments of(BodyModel model, double decay) {
         return model instanceof OneDegree one ? new LinearisedOne(one, decay) : new Linearised(model, decay);
     }

@@ -180,7 +180,7 @@ public final class FmuSimulation implements Closeable {
      * What a force would change that acts at a place beside all else.
      *
      * @param place one of {@link #places} @param force [N], as long as the recording. Not modified.
-     * @return by output the difference to the run without it, in the order of {@link #outputs}
+     * @return by output the difference to the run without it, a series in its own unit, in the order of {@link #outputs}
      */
     public double[][] pushed(String place, double[] force) {
         Variable at = wiring.places().stream().filter(each -> each.name().equals(place)).findFirst()

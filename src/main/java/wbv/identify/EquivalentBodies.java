@@ -127,7 +127,7 @@ public final class EquivalentBodies {
     /**
      * The body between input and an output.
      *
-     * @param output  samples of the window. Not modified.
+     * @param output  by sample of the window, in its own unit. Not modified.
      * @param degrees 1 or 2, or 0 for two where one does not carry the output and two do better on data they were not fitted to
      * @return empty if nothing moves, or there is too little to fit
      */

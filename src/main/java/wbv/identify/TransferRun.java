@@ -64,7 +64,11 @@ public final class TransferRun implements Serializable {
         }
     }
 
-    /** The output that goes with the next sample of the inputs. Changes nothing. @param u Not modified. */
+    /**
+     * The output, in its unit, that goes with the next sample of the inputs. Changes nothing.
+     *
+     * @param u one an input, in its own unit. Not modified.
+     */
     public double foresee(double[] u) {
         double y = 0;
         for (int i = 0; i < inputs; i++) {
@@ -79,7 +83,7 @@ public final class TransferRun implements Serializable {
         return y;
     }
 
-    /** The output that goes with the next sample of the inputs. @param u Not modified. */
+    /** The output, in its unit, that goes with the next sample of the inputs. @param u one an input, in its own unit. Not modified. */
     public double step(double[] u) {
         double y = 0;
         for (int i = 0; i < inputs; i++) {

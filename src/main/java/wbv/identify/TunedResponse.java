@@ -23,7 +23,7 @@ public record TunedResponse(ScaledResponse response, double reference, double ex
         return reference * Math.pow(measured / reference, exponent);
     }
 
-    /** The response of that body. */
+    /** The response of that body. @param measured ω_m [rad/s] */
     public TransferModel at(double measured) {
         return response.at(pulsation(measured));
     }

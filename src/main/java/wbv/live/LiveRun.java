@@ -22,7 +22,7 @@ public final class LiveRun {
     private final CountDownLatch done = new CountDownLatch(1);
     private volatile boolean stopped;
 
-    /** Nothing runs yet. @param pace of a replay, times real time; infinite to take lines as fast as they come */
+    /** Nothing runs yet. @param pace of a replay, as a multiple of real time [1]; infinite to take lines as fast as they come */
     public LiveRun(LiveStream live, List<LineSource> sources, double pace) {
         this.live = live;
         this.sources = List.copyOf(sources);

@@ -32,7 +32,7 @@ public record Labels(String file, int modes, List<Label> list) {
      * @param recording its name, or the end of its path
      * @param from      beginning [s]
      * @param to        end [s]
-     * @param truth     damping ratio and natural pulsation [rad/s] of each mode, slowest first
+     * @param truth     damping ratio and natural pulsation [rad/s] of each mode, slowest first, two numbers for each
      */
     public record Label(long line, String recording, double from, double to, double[] truth) {}
 

@@ -90,7 +90,8 @@ public final class Ridge {
     /**
      * The body of one window, without deviations: they are NaN.
      *
-     * @param motion channels as those learned from, {@value Imaging#SAMPLES} samples. Not modified.
+     * @param motion channels as those learned from, by channel and sample, each in its own unit, {@value Imaging#SAMPLES} samples. Not
+     *               modified.
      */
     public Estimate read(double[][] motion) {
         float[] image = imaging.image(motion);

@@ -6,6 +6,11 @@ import java.util.List;
 /**
  * Mean and standard deviation of every plane of the images, and of every target, over the trials that were learned from: stored
  * with a model. Arrays are not copied: treat them as read-only.
+ *
+ * @param planeMean      by plane, in the plane's unit
+ * @param planeDeviation likewise
+ * @param mean           by target, in the target's unit
+ * @param deviation      likewise
  */
 public record Scaling(double[] planeMean, double[] planeDeviation, double[] mean, double[] deviation) implements Serializable {
 

@@ -56,7 +56,7 @@ public final class Sliding implements Serializable {
         return bridges[0].delay();
     }
 
-    /** Takes a sample of every channel, NaN where missing. Not modified. */
+    /** Takes a sample of every channel, in its own unit, NaN where missing. Not modified. */
     public void accept(double... row) {
         boolean all = true;
         for (int c = 0; c < recent.length; c++) {
@@ -78,7 +78,7 @@ public final class Sliding implements Serializable {
         return whole >= Imaging.SAMPLES;
     }
 
-    /** The samples, [channels][{@value Imaging#SAMPLES}], oldest first. A copy. */
+    /** The samples by channel, each in its own unit, {@value Imaging#SAMPLES} long, oldest first. A copy. */
     public double[][] motion() {
         double[][] motion = new double[recent.length][];
         for (int c = 0; c < motion.length; c++) {

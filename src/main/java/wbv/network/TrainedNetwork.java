@@ -25,8 +25,8 @@ import wbv.recording.InputFile;
  * @param channels     the excitation, the answer and what else of the base's motion it was trained on
  * @param modes        of the body
  * @param scaling      of images and targets
- * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held
- * back
+ * @param widening     factors, one for each target, by which the stated deviations of each target are multiplied, so that 90 % intervals
+ *                     held on trials held back
  * @param usual        what windows are held against
  * @param members      weights of each member by name
  * @param card         what a reader of the file should know: data, seed, split, figures, limits

@@ -31,12 +31,12 @@ public record PolePlane(double centreRe, double spreadRe, double centreIm, doubl
         return new PolePlane(median(re), spread(re), median(im), spread(im));
     }
 
-    /** Coordinates of a pole, two. */
+    /** Coordinates of a pole, two long [spreads]. */
     public double[] coordinates(Pole pole) {
         return new double[] {(pole.re() - centreRe) / spreadRe, (pole.im() - centreIm) / spreadIm};
     }
 
-    /** Coordinates of poles, two by row. */
+    /** Coordinates of poles [spreads], by pole, two long each. */
     public double[][] coordinates(List<Pole> poles) {
         return poles.stream().map(this::coordinates).toArray(double[][]::new);
     }

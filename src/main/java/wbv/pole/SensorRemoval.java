@@ -40,7 +40,7 @@ public final class SensorRemoval {
     /**
      * The body of an absent place as the constrained estimator follows it within the bounds, at all samples.
      *
-     * @param frequency [Hz] @param damping ratio @param motion of that body [m/s²]
+     * @param frequency by sample [Hz] @param damping ratio by sample @param motion of that body by sample [m/s²]
      */
     public record Body(double[] frequency, double[] damping, double[] motion) {}
 

@@ -21,7 +21,7 @@ import wbv.recording.DataFault;
  * @param layout    which channels it is about
  * @param windows   how a window is identified
  * @param plane     coordinates of the measured place's poles
- * @param epsilon   of its clusters, in those coordinates
+ * @param epsilon   of its clusters, in the unit of those coordinates
  * @param outline   of the measured place's main cluster: imaginary over real part
  * @param typical   the main cluster's median pole
  * @param links     polygons from the measured place's poles to the absent ones'

@@ -83,7 +83,7 @@ public final class Recording {
     }
 
     /**
-     * The samples of a channel, in its SI unit; NaN where missing. Not a copy.
+     * The series of a channel, in its SI unit; NaN where missing. Not a copy.
      *
      * @throws DataFault if the recording has no such channel
      */

@@ -98,8 +98,8 @@ public final class CarriedPerson {
     /**
      * What the links do.
      *
-     * @param state holds the place of every body less that of the frame [m] from {@code x} on, their rates [m/s] from {@code v} on. Not
-     *              modified.
+     * @param state as long as the whole's states, holds the place of every body less that of the frame [m] from {@code x} on, their rates
+     *              [m/s] from {@code v} on. Not modified.
      * @param into  absolute acceleration of every body [m/s²], as long as {@link #bodies}. Modified.
      * @return force on the frame, upwards positive, without weight [N]
      */
@@ -125,7 +125,7 @@ public final class CarriedPerson {
      * Force from the frame over the frame's acceleration, and acceleration of the trunk over it, at the reference magnitude of the
      * softening.
      *
-     * @param frequency [Hz], &gt; 0 @param response real and imaginary part of the apparent mass [kg], then of the trunk's
+     * @param frequency [Hz], &gt; 0 @param response four long: real and imaginary part of the apparent mass [kg], then of the trunk's
      *                  transmissibility [1]. Modified.
      */
     public void respond(double frequency, double[] response) {

@@ -23,10 +23,10 @@ public record ImuErrors(Part acceleration, Part rate, Part field, Part force, do
      * What one kind of sensor does, in its unit.
      *
      * @param noise     density of its white noise [unit/√Hz]
-     * @param bias      standard deviation of its constant offset from sensor to sensor
-     * @param drift     standard deviation of the offset that walks
-     * @param range     it clips beyond this
-     * @param step      resolution in which it sends, &gt;= 0; 0 is exact
+     * @param bias      standard deviation of its constant offset from sensor to sensor, in its unit
+     * @param drift     standard deviation of the offset that walks, in its unit
+     * @param range     it clips beyond this, in its unit
+     * @param step      resolution in which it sends, in its unit, &gt;= 0; 0 is exact
      * @param bandwidth corner of the single-pole low-pass inside [Hz]
      */
     public record Part(double noise, double bias, double drift, double range, double step, double bandwidth) {

@@ -27,7 +27,7 @@ import wbv.rig.platform.SpecNumbers;
  * @param seed     of everything random
  * @param rate     output rate of the sensors [Hz], &gt; 0 to 1000
  * @param filter   anti-alias filter of the sensors
- * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
+ * @param noise    ratio of the densities of the sensors' noise to those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
  * @param effects  what is on; of a linear sitter, only what the sensors do
  * @param channels what is recorded, in this order: {@code acc}, {@code accg}, {@code gyr} and {@code mag} of the sitter's places,
  *                 {@code force} of the seat

@@ -10,7 +10,12 @@ public sealed interface Sitter {
     /** Where sensors can sit, {@code platform} first. */
     List<String> places();
 
-    /** A change of stiffness: all springs are multiplied at once, masses and dampers stay. */
+    /**
+     * A change of stiffness: all springs are multiplied at once, masses and dampers stay.
+     *
+     * @param factor new over old stiffness
+     * @param time when [s]
+     */
     record Step(double factor, double time) {
         /** @param factor new over old stiffness, 0.001 to 1000 @param time when [s], &gt;= 0 */
         public Step {
@@ -36,11 +41,11 @@ public sealed interface Sitter {
      * a slanting guide or a lever: its vertical acceleration gains s² / (s² + 2ζωs + ω²) · (c_x a_x + c_y a_y).
      *
      * @param zeta damping ratio, 0 to 2 @param frequency undamped natural frequency [Hz], to 50 @param step change of stiffness
-     * @param crossX c_x, -2 to 2 @param crossY c_y, -2 to 2
+     * @param crossX c_x [1], -2 to 2 @param crossY c_y [1], -2 to 2
      */
     record OneDof(double zeta, double frequency, Optional<Step> step, double crossX, double crossY) implements Sitter {
 
-        /** A body that the base's horizontal motion does not push up. */
+        /** A body that the base's horizontal motion does not push up. @param zeta damping ratio @param frequency [Hz] */
         public OneDof(double zeta, double frequency, Optional<Step> step) {
             this(zeta, frequency, step, 0, 0);
         }

@@ -15,7 +15,7 @@ import wbv.rig.platform.SpecNumbers;
  * @param origin    the word by which he is drawn: {@code 1} to {@code 4}, or {@code random:7}
  * @param mass      body mass [kg], 30 to 200
  * @param stature   [m], 1.2 to 2.2
- * @param tautness  natural frequencies over those of the average sitter, sitting normally
+ * @param tautness  ratio of the natural frequencies to those of the average sitter, sitting normally
  * @param tightness damping ratios over those of the average sitter
  * @param posture   how he sits
  */

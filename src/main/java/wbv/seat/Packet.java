@@ -22,7 +22,7 @@ import wbv.recording.DataFault;
  * @param time     of the first sample, by the sensor's own clock [s]
  * @param rate     of the samples [Hz]
  * @param channels values of a sample, in an order that both ends know
- * @param values   sample by sample, NaN where missing. Not copied; do not change them.
+ * @param values   sample by sample, each in the unit of its channel, NaN where missing. Not copied; do not change them.
  */
 public record Packet(String seat, long counter, double time, double rate, int channels, double[] values) {
 

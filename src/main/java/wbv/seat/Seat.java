@@ -47,7 +47,7 @@ public final class Seat implements Snapshot {
          * A sample.
          *
          * @param time   of it [s] @param body number of the body in the plan
-         * @param input  what shook it @param output what it did; NaN where missing
+         * @param input  what shook it [m/s² or rad/s] @param output what it did, in that unit; NaN where missing
          * @param track  what is known after it. Read it before the next.
          */
         void see(double time, int body, double input, double output, BodyEstimate track);

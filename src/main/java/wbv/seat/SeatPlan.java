@@ -106,6 +106,7 @@ public final class SeatPlan {
      * The usual plan for channels: the vertical of platform, floor or seat shakes the head (or sternum, pelvis, seat), exposure
      * of seat, platform or floor where the rate allows it, results every second.
      *
+     * @param rate   of the samples [Hz]
      * @param states used where the packets have its channels and rate
      */
     public static SeatPlan usual(double rate, List<Channel> channels, Method method, boolean boxcar, Optional<StateModel> states) {

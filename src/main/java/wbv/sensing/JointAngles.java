@@ -21,7 +21,7 @@ public record JointAngles(double flexion, double lateral, double axial) {
         return new JointAngles(angles[0], angles[1], angles[2]);
     }
 
-    /** The same into an array: flexion, lateral, axial [rad]. @param out Modified. */
+    /** The same into an array: flexion, lateral, axial [rad]. @param out three long [rad]. Modified. */
     public static void between(Orientation lower, Orientation upper, double[] out) {
         // q = lower⁻¹ ⊗ upper, then R = R_y(flexion) R_x(lateral) R_z(axial).
         double a = lower.w();

@@ -34,7 +34,7 @@ public final class Fft {
         return length;
     }
 
-    /** Transforms a sequence in place. @param data sequence of N values; becomes its packed spectrum. Modified. */
+    /** Transforms a sequence in place. @param data sequence, N long, of any unit; becomes its packed spectrum. Modified. */
     public void forward(double[] data) {
         requireLength(data);
         complex(data);
@@ -44,7 +44,11 @@ public final class Fft {
         split(data, 1);
     }
 
-    /** Transforms a spectrum back in place. @param data packed spectrum of N values; becomes the sequence, scaled by 1/N. Modified. */
+    /**
+     * Transforms a spectrum back in place.
+     *
+     * @param data packed spectrum, N long, of any unit; becomes the sequence, scaled by 1/N. Modified.
+     */
     public void inverse(double[] data) {
         requireLength(data);
         double dc = data[0];

@@ -52,7 +52,12 @@ public final class GapBridge implements Serializable, Snapshot {
         return new GapBridge(curved, longest);
     }
 
-    /** A whole series, bridged and on time. @param values NaN where missing. Not modified. @param longest as the constructor has it */
+    /**
+     * A whole series, bridged and on time, in its own unit.
+     *
+     * @param values by sample, of any unit, NaN where missing. Not modified.
+     * @param longest as the constructor has it
+     */
     public static double[] over(double[] values, int longest) {
         GapBridge bridge = new GapBridge(longest);
         double[] out = new double[values.length];
@@ -76,7 +81,9 @@ public final class GapBridge implements Serializable, Snapshot {
         return bridged;
     }
 
-    /** Takes a sample, NaN where missing, and gives the one of {@link #delay()} samples ago; NaN before the first. */
+    /**
+     * Takes a sample of any unit, NaN where missing, and gives the one of {@link #delay()} samples ago, in that unit; NaN before the first.
+     */
     public double accept(double value) {
         ring[at(0)] = value;
         if (!Double.isNaN(ring[at(1)]) && Double.isNaN(ring[at(2)])) {

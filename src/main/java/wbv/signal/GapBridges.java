@@ -23,7 +23,7 @@ public final class GapBridges {
     /**
      * Takes a sample of every channel and gives the one of {@link #delay()} samples ago.
      *
-     * @param values NaN where missing. Modified.
+     * @param values one a channel, in its own unit; NaN where missing. Modified.
      * @return false while nothing has come out yet
      */
     public boolean accept(double[] values) {

@@ -67,7 +67,7 @@ public final class OtherCauses {
         return named;
     }
 
-    /** Its partial coherence; NaN where none is named. */
+    /** Its partial coherence by bin; NaN where none is named. */
     public double[] partial() {
         return partial;
     }

@@ -59,9 +59,10 @@ public final class RealDft {
     }
 
     /**
-     * The spectrum {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k + 1.
+     * The spectrum, in the unit of the sequence, {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k
+     * + 1.
      *
-     * @param x sequence of N values. Not modified.
+     * @param x sequence of any unit, N long. Not modified.
      */
     public double[] forward(double[] x) {
         if (x.length != length) {
@@ -92,10 +93,10 @@ public final class RealDft {
     }
 
     /**
-     * The sequence of which {@link #forward} gives this spectrum.
+     * The sequence, N long, of which {@link #forward} gives this spectrum, in its unit.
      *
-     * @param spectrum real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are real in
-     *                 the spectrum of any real sequence: their imaginary parts do not count. Not modified.
+     * @param spectrum of any unit: real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are
+     *                 real in the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {
         if (spectrum.length > length + 2) {

@@ -30,7 +30,7 @@ public final class Spectrogram {
         this.averaged = new int[mostColumns];
     }
 
-    /** Takes the next sample; NaN is missing. Thesis: Eq. 2-28. */
+    /** Takes the next sample, of any unit; NaN is missing. Thesis: Eq. 2-28. */
     public void accept(double value) {
         if (!segments.accept(value)) {
             return;

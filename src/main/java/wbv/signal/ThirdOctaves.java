@@ -7,7 +7,7 @@ import java.util.function.DoubleUnaryOperator;
  * {@code 10^((n-½)/10)} to {@code 10^((n+½)/10)} Hz.
  *
  * @param first n of the first band
- * @param rms   of each band in turn, in the signal's unit. Not copied.
+ * @param rms   as many as there are bands, of each in turn, in the signal's unit. Not copied.
  */
 public record ThirdOctaves(int first, double[] rms) {
 
@@ -54,7 +54,7 @@ public record ThirdOctaves(int first, double[] rms) {
         return Math.pow(10, (first + band) / 10.0);
     }
 
-    /** Centres of all bands [Hz], exact. */
+    /** Centres of all bands, as long as {@code rms} [Hz], exact. */
     public double[] centres() {
         double[] centres = new double[rms.length];
         for (int band = 0; band < centres.length; band++) {

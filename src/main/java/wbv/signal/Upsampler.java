@@ -41,8 +41,9 @@ public final class Upsampler {
     /**
      * Takes the next sample.
      *
-     * @param block room for {@code factor()} values: from the sample {@code delay()} inputs ago to just before the next one.
-     *              Modified only if a block came.
+     * @param value of any unit
+     * @param block as long as a block, in the unit of the samples: room for {@code factor()} values: from the sample {@code delay()} inputs
+     *              ago to just before the next one. Modified only if a block came.
      * @return whether a block came; false for the first {@code delay()} samples
      */
     public boolean accept(double value, double[] block) {

@@ -52,7 +52,7 @@ public final class StateReader {
         return name;
     }
 
-    /** The next number, to the last bit. */
+    /** The next number, of any unit, to the last bit. */
     public double number() {
         require(Double.BYTES);
         return buffer.getDouble();
@@ -85,12 +85,12 @@ public final class StateReader {
         return buffer.get() != 0;
     }
 
-    /** Fills an array. Modified. */
+    /** Fills an array, as long as it is, with numbers of any unit. Modified. */
     public void numbers(double[] into) {
         numbers(into, 0, into.length);
     }
 
-    /** Fills a part of an array. Modified. */
+    /** Fills a part of an array, from an index to before another. @param into as long as it is, numbers of any unit. Modified. */
     public void numbers(double[] into, int from, int to) {
         require((to - from) * Double.BYTES);
         for (int i = from; i < to; i++) {

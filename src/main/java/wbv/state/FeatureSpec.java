@@ -69,7 +69,7 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
     /**
      * The channels of two places: {@code acc.z} of both, and roll and pitch rate of the lower.
      *
-     * @param channels that there are @param where for messages
+     * @param rate of the recording [Hz] @param channels that there are @param where for messages
      * @throws DataFault if one is missing
      */
     public static FeatureSpec of(double rate, String seat, String head, List<Channel> channels, String where) {

@@ -60,7 +60,13 @@ public final class HeadLag implements Serializable {
     private long end = Long.MIN_VALUE;
     private long joltAt;
 
-    /** What the jolts so far say. @param seconds by which the head is later @param deviation of it [s] @param jolts that count */
+    /**
+     * What the jolts so far say.
+     *
+     * @param seconds by which the head is later
+     * @param deviation of it [s]
+     * @param jolts number of those that count
+     */
     public record Lag(double seconds, double deviation, double jolts) {}
 
     /**
@@ -99,7 +105,13 @@ public final class HeadLag implements Serializable {
         return Math.max(1, (int) Math.round(seconds * rate));
     }
 
-    /** Takes vertical accelerations [m/s²]; NaN is missing, and spoils its jolt. @return whether a jolt has been counted now */
+    /**
+     * Takes vertical accelerations; NaN is missing, and spoils its jolt.
+     *
+     * @param seatAcceleration [m/s²]
+     * @param headAcceleration [m/s²]
+     * @return whether a jolt has been counted now
+     */
     public boolean accept(double seatAcceleration, double headAcceleration) {
         int at = (int) (taken % seats.length);
         seats[at] = seat.step(seatAcceleration);

@@ -5,7 +5,11 @@ public final class PhysicalLabels {
 
     private PhysicalLabels() {}
 
-    /** The state that a row of features shows. @param features as {@link FeatureSpec#NAMES}, complete. Not modified. */
+    /**
+     * The state that a row of features shows.
+     *
+     * @param features as long as {@link FeatureSpec#NAMES}, in their units, complete. Not modified.
+     */
     public static MotionState of(double[] features, Thresholds thresholds) {
         return activity(features, thresholds).state(MotionState.sign(features[FeatureSpec.SEAT_JERK], thresholds.jerk()),
                 MotionState.sign(features[FeatureSpec.HEAD_JERK], thresholds.jerk()));

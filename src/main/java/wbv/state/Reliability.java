@@ -33,7 +33,7 @@ public final class Reliability {
         return said.stream().filter(Said::came).count() / (double) said.size();
     }
 
-    /** Area under the receiver operating characteristic: Mann and Whitney's U, ties halved. NaN if all or none came. */
+    /** Area under the receiver operating characteristic: Mann and Whitney's U, ties halved, 0 to 1. NaN if all or none came. */
     public double area() {
         List<Said> sorted = said.stream().sorted(Comparator.comparingDouble(Said::probability)).toList();
         double ranks = 0;
@@ -68,7 +68,7 @@ public final class Reliability {
         return bins;
     }
 
-    /** Expected calibration error: what bins are off, weighted by how many they hold. */
+    /** Expected calibration error, as a probability: what bins are off, weighted by how many they hold. */
     public double calibrationError() {
         return bins().stream().mapToDouble(bin -> Math.abs(bin.said() - bin.came()) * bin.count()).sum() / said.size();
     }

@@ -22,7 +22,7 @@ import wbv.state.markov.HiddenMarkov;
  * @param mixture    how the mixtures were found, such as {@code message-length}
  * @param chain      over {@link #activity the last three features}
  * @param activities of the chain's states, K @param names of the chain's states, K
- * @param shares     how often a state is met among those of its jolt, K; 1 for others. Not copied; do not change them.
+ * @param shares     by state, how often it is met among those of its jolt, K long; 1 for others. Not copied; do not change them.
  * @param error      standard deviation of a jerk that is read [m/s³], &gt; 0
  * @param trials     names of the recordings it was trained on
  * @param rows       of every named state in the training
@@ -64,7 +64,8 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     }
 
     /**
-     * Adds up the chain's states by name. @param chain K. Not modified. @param into one for each {@link MotionState}. Modified.
+     * Adds up the chain's states by name. @param chain probabilities, K long. Not modified. @param into probabilities, one for each {@link
+     * MotionState}. Modified.
      */
     public void byName(double[] chain, double[] into) {
         java.util.Arrays.fill(into, 0);
@@ -107,7 +108,7 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
         return named;
     }
 
-    /** How often the chain's states are met in the long run, K. */
+    /** Shares of time of the chain's states in the long run, K long. */
     public double[] stationary() {
         double[] now = new double[chain.states()];
         java.util.Arrays.fill(now, 1.0 / now.length);

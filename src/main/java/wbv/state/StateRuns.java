@@ -62,7 +62,7 @@ public final class StateRuns {
         return channels.containsAll(model.features().channels()) && Math.abs(rate / model.features().rate() - 1) <= 0.01;
     }
 
-    /** Takes a sample. @param sample of {@link FeatureSpec#channels}; NaN is missing. Not modified. */
+    /** Takes a sample. @param sample one a channel of {@link FeatureSpec#channels}, in its unit; NaN is missing. Not modified. */
     public void accept(double[] sample) {
         stream.step(sample, row);
         long at = taken++ - model.features().delay();

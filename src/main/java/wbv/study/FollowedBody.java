@@ -51,8 +51,8 @@ public final class FollowedBody {
     /**
      * What was known of the body at one moment.
      *
-     * @param time from the first sample [s] @param frequency natural frequency [Hz] @param frequencyDeviation its standard deviation
-     * @param damping damping ratio @param dampingDeviation its standard deviation
+     * @param time from the first sample [s] @param frequency natural frequency [Hz] @param frequencyDeviation its standard deviation [Hz]
+     * @param damping damping ratio @param dampingDeviation standard deviation of that ratio
      */
     public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
@@ -177,7 +177,7 @@ public final class FollowedBody {
         return known.map(last -> String.format(Locale.ROOT, "as known at %.0f s, lost since: ", last.time()) + why).orElse(why);
     }
 
-    /** Times of the alarm's cuts from the first sample [s], at most the first 500. */
+    /** Times of the alarm's cuts from the first sample [s], as many as there are, at most the first 500. */
     public double[] cuts() {
         return Arrays.copyOf(cuts, cutCount);
     }
@@ -196,7 +196,7 @@ public final class FollowedBody {
         return estimator.estimator();
     }
 
-    /** Modulus of the response of the body as known after the last sample, at a frequency [Hz]. */
+    /** Modulus [1] of the response of the body as known after the last sample, at a frequency [Hz]. */
     public double modulus(double frequency) {
         return estimator().modulus(frequency);
     }
@@ -221,7 +221,7 @@ public final class FollowedBody {
         return channel + "." + recipe.method().word();
     }
 
-    /** Times of changes from the first sample [s], at most the first 500. */
+    /** Times of changes from the first sample [s], as many as there are, at most the first 500. */
     public double[] changes() {
         return Arrays.copyOf(changes, changeCount);
     }

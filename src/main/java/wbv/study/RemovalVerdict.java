@@ -14,8 +14,8 @@ import wbv.recording.Channel;
  * @param tried   whether a recording with its sensor was held back
  * @param holds   whether it can
  * @param reason  why it cannot, or is not known; empty if it can
- * @param least   smallest part of the variance that was left, NaN where nothing was tried
- * @param most    largest
+ * @param least   smallest share of the variance that was left, NaN where nothing was tried
+ * @param most    largest share
  */
 public record RemovalVerdict(String channel, boolean tried, boolean holds, String reason, double least, double most) {
 

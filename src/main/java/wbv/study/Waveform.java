@@ -27,7 +27,7 @@ public final class Waveform {
         largest = smallest;
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /** Takes the next sample, of any unit; NaN is missing. */
     public void accept(double value) {
         if (size > 0 && inLast < width) {
             inLast++;
@@ -80,12 +80,12 @@ public final class Waveform {
         return size;
     }
 
-    /** The sample, or the smallest of those that a value stands for; NaN where all are missing. */
+    /** The sample, in its unit, or the smallest of those that a value stands for; NaN where all are missing. */
     public double smallest(int value) {
         return smallest[value];
     }
 
-    /** The sample, or the largest of those that a value stands for; NaN where all are missing. */
+    /** The sample, in its unit, or the largest of those that a value stands for; NaN where all are missing. */
     public double largest(int value) {
         return largest[value];
     }

@@ -96,7 +96,8 @@ public final class LawSlopes {
     }
 
     /**
-     * What {@link Law#memoryOf} changes by: element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
+     * What {@link Law#memoryOf} changes by, in its unit per that of what it changes with: as long as {@link #OWN} and the law's own
+     * numbers, element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
      *
      * @param start force from which the memory starts [N]
      */

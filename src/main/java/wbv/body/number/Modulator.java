@@ -58,12 +58,16 @@ public sealed interface Modulator {
             Check.above("upper end of the range of " + channel, channel.quantity().unit(), high, low);
         }
 
-        /** The channel's value there. @param u from -1 to 1 */
+        /** The channel's value there, in the channel's unit. @param u place in the range [1], from -1 to 1 */
         public double value(double u) {
             return ((1 - u) * low + (1 + u) * high) / 2;
         }
 
-        /** Where a value of the channel lies in the range: -1 at or below its lower end, 1 at or above its upper. */
+        /**
+         * Where a value of the channel lies in the range [1]: -1 at or below its lower end, 1 at or above its upper.
+         *
+         * @param value in the channel's unit
+         */
         public double of(double value) {
             return Math.max(-1, Math.min(1, (2 * value - low - high) / (high - low)));
         }
@@ -190,7 +194,7 @@ public sealed interface Modulator {
             return whole.unit();
         }
 
-        /** The part, &gt;= 0, of a value of the whole. */
+        /** The part, &gt;= 0, of a value of the whole, in its unit. @param value in the unit of the whole */
         public double of(double value) {
             return part == Part.MAGNITUDE ? Math.abs(value) : Math.max(0, part == Part.POSITIVE ? value : -value);
         }

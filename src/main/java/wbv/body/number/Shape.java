@@ -66,7 +66,7 @@ public record Shape(Part deflection, Part speed) {
         }
     }
 
-    /** Its value. @param r deflection [m] @param v speed [m/s] */
+    /** Its value, in its own unit, {@link #unit}. @param r deflection [m] @param v speed [m/s] */
     public double of(double r, double v) {
         return (deflection == Part.ONE ? 1 : deflection.of(r, NO_DEFLECTION)) * (speed == Part.ONE ? 1 : speed.of(v, NO_SPEED));
     }

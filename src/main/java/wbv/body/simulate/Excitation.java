@@ -66,7 +66,7 @@ public final class Excitation {
      * The base's motion along one axis.
      *
      * @param rate   samples per second [Hz]
-     * @param base   acceleration of the base [m/s²], finite. Not modified.
+     * @param base   acceleration of the base by sample [m/s²], finite. Not modified.
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
@@ -76,7 +76,8 @@ public final class Excitation {
     /**
      * A base that moves along several axes.
      *
-     * @param base its accelerations, by axis and sample, finite. Not modified.
+     * @param rate samples per second [Hz]
+     * @param base its accelerations [m/s²], by axis and sample; about an axis [rad/s²]; finite. Not modified.
      * @param others likewise
      */
     public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
@@ -238,11 +239,11 @@ public final class Excitation {
     }
 
     /**
-     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the
-     * polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight
-     * line.
+     * A series in its own unit with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are
+     * there takes the polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a
+     * longer one a straight line.
      *
-     * @param x Not modified.
+     * @param x a series of any unit, NaN in gaps. Not modified.
      */
     public static double[] bridged(double[] x) {
         boolean whole = true;
@@ -350,7 +351,7 @@ public final class Excitation {
         return samples;
     }
 
-    /** Angular frequency of each line [rad/s]. Not a copy. */
+    /** Angular frequency by line [rad/s]. Not a copy. */
     public double[] omega() {
         return omega;
     }
@@ -431,12 +432,12 @@ public final class Excitation {
         return found;
     }
 
-    /** Spectrum of a series at the recording's rate. @param series Not modified. */
+    /** Spectrum of a series at the recording's rate, in the series' unit. @param series of any unit. Not modified. */
     public double[] spectrum(double[] series) {
         return coarse.spectrum(series);
     }
 
-    /** Spectrum of a series at the free run's rate. @param series Not modified. */
+    /** Spectrum of a series at the free run's rate, in the series' unit. @param series of any unit. Not modified. */
     public double[] spectrumOfFine(double[] series) {
         return fine.spectrum(series);
     }
@@ -454,12 +455,12 @@ public final class Excitation {
         return spectrum;
     }
 
-    /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
+    /** The series at the recording's rate, {@link #samples} long, in the spectrum's unit. @param spectrum of any unit. Not modified. */
     public double[] series(double[] spectrum) {
         return coarse.series(spectrum);
     }
 
-    /** The series at the free run's rate, record only. @param spectrum Not modified. */
+    /** The series at the free run's rate, record only, in the spectrum's unit. @param spectrum of any unit. Not modified. */
     public double[] fineSeries(double[] spectrum) {
         return fine.series(spectrum);
     }
@@ -480,7 +481,10 @@ public final class Excitation {
         return fineBase;
     }
 
-    /** A spectrum as a series for the free run: raised by what the first-order hold takes away, (x / sin x)². Not modified. */
+    /**
+     * A spectrum of any unit as a series in that unit for the free run: raised by what the first-order hold takes away, (x / sin x)². Not
+     * modified.
+     */
     public double[] held(double[] spectrum) {
         double[] raised = spectrum.clone();
         for (int k = 1; k < omega.length; k++) {

@@ -138,7 +138,8 @@ public final class FreeRun {
      * @param force        force of each law [N], by law and sample
      * @param displacement of each law's link [m], by law and sample
      * @param velocity     of each law's link [m/s], by law and sample
-     * @param slope        derivative of each law force, by law, parameter and sample; empty without sensitivities
+     * @param slope        derivative of each law force [N per the parameter's unit], by law, parameter and sample; empty without
+     *                     sensitivities
      * @param diverged     first sample at which the motion left all bounds, -1 if it never did; from there everything is 0
      */
     public record Run(double[][] force, double[][] displacement, double[][] velocity, double[][][] slope, int diverged) {}
@@ -158,7 +159,12 @@ public final class FreeRun {
         return run(acceleration, bodyForce, sensitivities, new double[parameters][0][]);
     }
 
-    /** Runs from rest on a base that moves along one axis. @param acceleration [m/s²], by sample. Not modified. */
+    /**
+     * Runs from rest on a base that moves along one axis.
+     *
+     * @param acceleration [m/s²], by sample. Not modified.
+     * @param bodyForce [N], by body and sample; an empty array for none. Not modified.
+     */
     public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
         return run(new double[][] {acceleration}, bodyForce, sensitivities);
     }
@@ -166,9 +172,11 @@ public final class FreeRun {
     /**
      * Runs from rest, with the known forces depending on parameters too.
      *
-     * @param forceSlope derivative of the known force to each parameter, by parameter, body and sample; no bodies where there is
-     *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
-     *                   alone. Not modified.
+     * @param acceleration of the base [m/s²], by axis and sample. Not modified.
+     * @param bodyForce known force on each body [N], by body and sample; an empty array for none. Not modified.
+     * @param forceSlope derivative of the known force to each parameter [N per the parameter's unit], by parameter, body and sample; no
+     *                   bodies where there is none. May be longer than {@link #parameters}: the rest are parameters that act through the
+     *                   known force alone. Not modified.
      */
     public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
         int n = acceleration[0].length;

@@ -87,7 +87,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
     }
 
-    /** One sitter on one floor. @param words who @param stroke that all are given, r.m.s. [m] @param fronts by entrant */
+    /** One sitter on one floor. @param words who @param mass [kg] @param stroke that all are given, r.m.s. [m] @param fronts by entrant */
     public record OnSitter(String words, double mass, double stroke, List<Front> fronts) {
 
         /** What an entrant comes to with the stroke that all are given. */
@@ -105,8 +105,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * How much of the floor reaches the pan. Arrays are not copied.
      *
-     * @param frequency [Hz]
-     * @param modulus of seat pan over floor, NaN where the floor tells nothing
+     * @param frequency by line [Hz]
+     * @param modulus ratio of seat pan to floor, by line; NaN where the floor tells nothing
      */
     public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) {}
 
@@ -238,8 +238,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * What knowing the sitter is worth at equal stroke.
      *
-     * @param fixed mean SEAT of the fixed controller
-     * @param scheduled how much less the scheduled one has
+     * @param fixed mean SEAT of the fixed controller [1]
+     * @param scheduled how much less the scheduled one has [1]
      * @param oracle likewise
      * @param rides that count
      */

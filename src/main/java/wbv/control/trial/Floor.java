@@ -22,7 +22,7 @@ public sealed interface Floor permits EarthMover, RoadFloor {
     /**
      * One ride of it.
      *
-     * @param samples at {@value SuspendedPerson#RATE} Hz, &gt; 0 @return accelerations [m/s²]
+     * @param samples at {@value SuspendedPerson#RATE} Hz, &gt; 0 @return accelerations by sample [m/s²]
      */
     default double[] ride(int samples, RandomGenerator random) {
         RealDft transform = new RealDft(RealDft.covering(Math.max(samples, 2)));

@@ -12,17 +12,17 @@ import java.util.Optional;
  */
 public record Front(ControllerFamily family, Knowledge knowledge, List<Point> points) {
 
-    /** A ride with one tuning. @param tuning what was tuned to @param result what came of it */
+    /** A ride with one tuning. @param tuning what was tuned to, in the unit of the family @param result what came of it */
     public record Point(double tuning, TrialResult result) {}
 
     /**
      * At a given stroke.
      *
-     * @param seat SEAT
-     * @param head the same of the head
+     * @param seat SEAT [1]
+     * @param head likewise, of the head
      * @param strokeRms [m]
      * @param strokeMost [m]
-     * @param stopHits mean number
+     * @param stopHits mean number of hits
      * @param power [W]
      * @param force of the actuator, r.m.s. [N]
      */

@@ -5,7 +5,7 @@ import wbv.rig.Subject;
 /**
  * Who rides where, for how long.
  *
- * @param sitter  who sits there  @param floor under the seat @param scale of the floor's accelerations, &gt; 0
+ * @param sitter  who sits there  @param floor under the seat @param scale factor of the floor's accelerations, &gt; 0
  * @param jolt    height of a jolt every {@value #JOLT_EVERY} s [m/s²], one sine of {@value #JOLT_LENGTH} s, &gt;= 0
  * @param settle  time that is ridden but not judged, at the beginning [s], &gt;= 0 @param seconds time that is judged [s], &gt; 0
  * @param seed    of the floor and the sensors
@@ -24,7 +24,7 @@ public record Ride(Subject sitter, Floor floor, double scale, double jolt, doubl
         }
     }
 
-    /** A ride without faults and jolts. */
+    /** A ride without faults and jolts. @param settle as there [s] @param seconds as there [s] */
     public Ride(Subject sitter, Floor floor, double settle, double seconds, long seed) {
         this(sitter, floor, 1, 0, settle, seconds, seed, Faults.NONE);
     }

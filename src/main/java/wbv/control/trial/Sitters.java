@@ -31,7 +31,7 @@ public final class Sitters {
         return sitters;
     }
 
-    /** A sitter of this mass, average in all else. @throws IllegalArgumentException if nobody has such a mass */
+    /** A sitter of this mass, average in all else. @param mass [kg] @throws IllegalArgumentException if nobody has such a mass */
     public static Subject ofMass(double mass) {
         return new Subject("1", mass, Maker.MIDDLE.stature(), 1, 1, Posture.NORMAL);
     }

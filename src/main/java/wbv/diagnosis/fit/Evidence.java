@@ -164,12 +164,12 @@ public final class Evidence {
         return measured.input();
     }
 
-    /** A channel with its gaps bridged, in its unit. Not a copy. */
+    /** The series of a channel with its gaps bridged, in its unit. Not a copy. */
     public double[] series(Channel channel) {
         return Excitation.bridged(recording().values(channel));
     }
 
-    /** What was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
+    /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
     public double[] measured(int output) {
         return measured.series(output);
     }
@@ -373,7 +373,7 @@ public final class Evidence {
      */
     public record InputWay(Channel sensor, double noise, int order, Supplier<double[][]> transfer) {
 
-        /** Power of the noise at a frequency [rad/s]. */
+        /** Power of the noise as it enters, in the square of the unit of what enters. @param omega frequency [rad/s] */
         public double power(double omega) {
             return Math.pow(noise * Math.pow(omega, order), 2);
         }
@@ -438,7 +438,7 @@ public final class Evidence {
      * Simulated spectra times a factor, whitened like a residual.
      *
      * @param from what was simulated
-     * @param simulated by output. Not modified.
+     * @param simulated by output, in its unit. Not modified.
      */
     public double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
         double[][] spectra = new double[outputs().size()][];

@@ -10,7 +10,12 @@ public final class Gram {
 
     private Gram() {}
 
-    /** The product of each pair. @param vectors of the same length each. Not modified. @return symmetric */
+    /**
+     * The product of each pair.
+     *
+     * @param vectors of the same length each, in one unit. Not modified.
+     * @return symmetric, n by n, in the square of that unit
+     */
     public static double[][] of(double[][] vectors) {
         int n = vectors.length;
         double[][] out = new double[n][n];
@@ -24,9 +29,10 @@ public final class Gram {
     }
 
     /**
-     * Products of vectors with each of some others, by other.
+     * Products of vectors with each of some others, in the product of the units, by number of the other, then by vector.
      *
-     * @param vectors of the same length each, as the others. Neither is modified.
+     * @param vectors of the same length each, in one unit
+     * @param others as long each, in one unit. Neither is modified.
      */
     public static double[][] products(double[][] vectors, double[][] others) {
         double[][] out = new double[others.length][vectors.length];
@@ -84,7 +90,12 @@ public final class Gram {
         }
     }
 
-    /** Products of vectors with another. @param vectors of its length each. Not modified. */
+    /**
+     * Products of vectors with another, in the product of the units, by vector.
+     *
+     * @param vectors of its length each, in one unit. Not modified.
+     * @param other as long, of any unit. Not modified.
+     */
     public static double[] products(double[][] vectors, double[] other) {
         double[] out = new double[vectors.length];
         int i = 0;

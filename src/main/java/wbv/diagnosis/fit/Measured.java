@@ -132,7 +132,7 @@ public final class Measured {
      */
     public record InputNoise(double deviation, int order) {
 
-        /** That of the acceleration at a frequency [rad/s]. */
+        /** Power of the noise of the acceleration, in the square of its unit. @param omega frequency [rad/s] */
         public double power(double omega) {
             return Math.pow(deviation * Math.pow(omega, order), 2);
         }
@@ -376,7 +376,7 @@ public final class Measured {
         return out;
     }
 
-    /** A series less its mean, a new array. @param x Not modified. */
+    /** A series less its mean, in its unit, a new array. @param x by sample, of any unit. Not modified. */
     public static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();

@@ -74,7 +74,7 @@ public final class NoiseLevel {
      * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a
      * recording is short.
      *
-     * @param x [unit of the channel]. Not modified.
+     * @param x by sample [unit of the channel]. Not modified.
      */
     public double bound(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));

@@ -130,17 +130,19 @@ public final class Normal {
         return projection;
     }
 
-    /** Products of the slopes with the sensors' errors, as {@link Projection} wants them. Not a copy. */
+    /**
+     * Products of the whitened slopes with the sensors' errors [1], by coordinate and error, as {@link Projection} wants them. Not a copy.
+     */
     public double[][] products() {
         return products;
     }
 
-    /** Second derivative of half the cost, priors included. Not a copy. */
+    /** Second derivative of half the cost to the coordinates [1], n by n, priors included. Not a copy. */
     public double[][] curvature() {
         return curvature;
     }
 
-    /** First derivative of half the cost, priors included. Not a copy. */
+    /** First derivative of half the cost by coordinate [1], priors included. Not a copy. */
     public double[] gradient() {
         return gradient;
     }

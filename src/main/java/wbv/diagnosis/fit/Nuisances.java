@@ -140,7 +140,7 @@ public final class Nuisances {
     /**
      * How late the sensors are for whose delays the errors are exact.
      *
-     * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}. Neither is modified.
+     * @param omega by line of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}. Neither is modified.
      */
     public Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
@@ -161,7 +161,7 @@ public final class Nuisances {
     /** What delays make of spectra. @param factors by output, complex; empty for one that is not late */
     public record Lateness(double[][] factors) {
 
-        /** The outputs of a run: what a sensor's other channels make of it was recorded late already. */
+        /** The outputs of a run, spectra by output in its unit: what a sensor's other channels make of it was recorded late already. */
         public double[][] of(Simulator.Response response) {
             double[][] out = of(response.outputs());
             for (int o = 0; o < out.length; o++) {
@@ -174,7 +174,7 @@ public final class Nuisances {
             return out;
         }
 
-        /** What late sensors read of it. @param simulated spectra by output. Not modified. */
+        /** What late sensors read of it, spectra by output in its unit. @param simulated spectra by output in its unit. Not modified. */
         public double[][] of(double[][] simulated) {
             double[][] out = simulated.clone();
             for (int o = 0; o < out.length; o++) {
@@ -255,7 +255,7 @@ public final class Nuisances {
         return out;
     }
 
-    /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations. Not modified. */
+    /** How late an output's own sensor is [s]. @param sizes one an error, in standard deviations [1]. Not modified. */
     public double delay(int output, double[] sizes) {
         return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
                 .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();

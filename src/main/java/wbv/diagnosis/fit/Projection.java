@@ -39,7 +39,7 @@ public final class Projection {
         return Arrays.equals(free, free(other));
     }
 
-    /** Dᵀ v over the free errors. @param vector Not modified. */
+    /** Dᵀ v [1], by error that is free. @param vector whitened, as long as the residual. Not modified. */
     public double[] products(double[] vector) {
         return Gram.products(columns, vector);
     }
@@ -49,12 +49,16 @@ public final class Projection {
         return Gram.products(columns, vectors);
     }
 
-    /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
+    /** (DᵀD + 1)⁻¹ Dᵀ v [1], by error that is free: how they follow v. @param products of v [1], as long. Not modified. */
     public double[] errors(double[] products) {
         return factor.solve(products);
     }
 
-    /** What a change of the residual leaves when the errors have followed it. A new array. @param vector Not modified. */
+    /**
+     * What a whitened change of the residual leaves when the errors have followed it, as long. A new array.
+     *
+     * @param vector whitened, as long as the residual. Not modified.
+     */
     public double[] without(double[] vector) {
         double[] out = vector.clone();
         Gram.subtract(columns, errors(products(vector)), out);

@@ -50,7 +50,7 @@ public record SmallError(Kind kind, int owner, String axis) {
             this.deviation = deviation;
         }
 
-        /** Standard deviation among sensors. */
+        /** Standard deviation among sensors, in the unit of its key; delays in samples. */
         public double deviation() {
             return deviation;
         }

@@ -21,7 +21,7 @@ public final class SymmetricFactor {
         return cholesky.decompose(matrix.copy()) ? Optional.of(new SymmetricFactor(cholesky.getT(null))) : Optional.empty();
     }
 
-    /** A⁻¹ b. A new array. @param b Not modified. */
+    /** A⁻¹ b, as long as b, in its unit over that of A. A new array. @param b n long, of any unit. Not modified. */
     public double[] solve(double[] b) {
         double[] x = b.clone();
         TriangularSolver_DDRM.solveL(lower.data, x, x.length);

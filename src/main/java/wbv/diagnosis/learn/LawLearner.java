@@ -79,7 +79,7 @@ public final class LawLearner {
      *
      * @param fit   by free run
      * @param terms that it adds to what was known
-     * @param gain by how much it lowers the cost of the model without a law, as {@link #weighed}
+     * @param gain by how much it lowers the cost [1] of the model without a law, as {@link #weighed}
      * @param of   how many terms each of its own was chosen
      * @param unit mean square of the residual that the best fit so far leaves; 1 at least
      */

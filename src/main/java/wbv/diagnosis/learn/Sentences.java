@@ -205,9 +205,8 @@ final class Sentences {
     }
 
     /**
-     * Coordinates of a candidate that holds the terms of a proposal, from which it is fitted.
-     *
-     * @param x of the state, where terms were scored
+     * Coordinates of a candidate that holds the terms of a proposal, from which it is fitted: those of the state where terms were scored,
+     * and their own.
      */
     double[] start(Proposal proposal, Candidate with) {
         Candidate own = state.candidate();

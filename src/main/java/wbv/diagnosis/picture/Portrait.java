@@ -40,9 +40,9 @@ public record Portrait(String title, Scale x, Scale y, List<Trail> trails, Strin
     /**
      * Points or a curve. Arrays are not copied.
      *
-     * @param x         rising for {@link Kind#MEASURED}
-     * @param y         as many; NaN is a gap
-     * @param deviation standard error of each y; empty if not known
+     * @param x         by point, in the unit of its scale, rising for {@link Kind#MEASURED}
+     * @param y         as many, in the unit of its scale; NaN is a gap
+     * @param deviation standard error of each y, as many, in its unit; empty if not known
      */
     public record Trail(String name, Kind kind, double[] x, double[] y, double[] deviation) {
         public Trail {

@@ -34,7 +34,7 @@ public record Calibration(double forms, double chance, double lapse, int answers
         return STANDARD;
     }
 
-    /** Excess that stands for whatever is in no library. @param without excess of the model alone */
+    /** Excess [1] that stands for whatever is in no library. @param without excess of the model alone [1] */
     public static double unlisted(double without) {
         return Priors.USUAL.unlisted() * without;
     }
@@ -53,7 +53,7 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
      * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
-     * @return logarithms of their evidences but for what is the same for all [nat]
+     * @return as many, logarithms of their evidences but for what is the same for all [nat]
      */
     public double[] evidence(double... left) {
         double least = Arrays.stream(left).min().orElse(1);

@@ -47,7 +47,7 @@ public final class Locator {
     /**
      * All places one by one, best first; none with a single output, where every place explains everything.
      *
-     * @param x where fits start. Not modified.
+     * @param x where fits start: coordinates [1], one a knob. Not modified.
      */
     public List<Known.Ignoring> singles(double[] x) {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
@@ -118,9 +118,10 @@ public final class Locator {
     }
 
     /**
-     * What a place may leave to be some times as far from the noise as the best; anything where none was looked at.
+     * What a place may leave, as a mean square of the whitened residual, to be some times as far from the noise as the best; anything where
+     * none was looked at.
      *
-     * @param found best first
+     * @param found best first @param times factor on the excess of the best
      */
     public static double reach(List<Known.Ignoring> found, double times) {
         return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());

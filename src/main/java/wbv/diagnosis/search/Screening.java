@@ -52,7 +52,12 @@ public final class Screening {
     private final double[] residual;
     private final ModulatorSeries modulators;
 
-    /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
+    /**
+     * What a hypothesis promises.
+     *
+     * @param gain reduction of χ² to first order [1]
+     * @param x coordinates [1], one a knob, from which to refit
+     */
     public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {}
 
     /** Screens at a fit, modulators worked out where they are needed. @param state a fit with slopes */
@@ -159,7 +164,11 @@ public final class Screening {
         return values;
     }
 
-    /** Whitened change of the residual that a hypothesis makes at given values. @param values Not modified. */
+    /**
+     * Whitened change of the residual, as long as that, that a hypothesis makes at given values.
+     *
+     * @param values by number, in its unit. Not modified.
+     */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
         if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
             return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
@@ -203,7 +212,11 @@ public final class Screening {
         return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
-    /** Whitened change of the residual that a force in a link makes. @param force at the free run's rate [N]. Not modified. */
+    /**
+     * Whitened change of the residual, as long as that, that a force in a link makes.
+     *
+     * @param force at the free run's rate, by sample [N]. Not modified.
+     */
     public double[] direction(int link, double[] force) {
         return seen(linear.answer(link, force));
     }
@@ -211,7 +224,7 @@ public final class Screening {
     /**
      * What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual.
      *
-     * @param direction not copied, not modified
+     * @param direction whitened, as long as the residual. Not copied, not modified
      */
     public Rest rest(double[] direction) {
         double[] own = projection.products(direction);
@@ -224,7 +237,16 @@ public final class Screening {
         return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));
     }
 
-    /** A direction with its products with all that may follow. @param gradient its product with what is left of the residual */
+    /**
+     * A direction with its products with all that may follow.
+     *
+     * @param direction whitened, as long as the residual
+     * @param own       its products with the sensors' errors [1], one an error
+     * @param follow    how the errors follow it [1], one an error
+     * @param cross     its products with the slopes, the errors following [1], one a knob
+     * @param held      how the knobs follow it [1], one a knob
+     * @param gradient  its product with what is left of the residual [1]
+     */
     public record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
 
         double product(Rest other) {
@@ -247,7 +269,7 @@ public final class Screening {
         return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
     }
 
-    /** The same of directions that are known. @param strength by direction. Modified. */
+    /** Gain [1] of the best combination of directions that are known. @param strength by direction [1]. Modified. */
     public static double combined(List<Rest> rests, double[] strength) {
         int m = rests.size();
         double[][] a = new double[m][m];

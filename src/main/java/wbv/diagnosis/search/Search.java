@@ -74,7 +74,7 @@ public final class Search {
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }
 
-    /** The same from one start. @param start Not modified. */
+    /** The same from one start. @param start coordinates [1], one a knob. Not modified. */
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
         for (int round = 0; round < 3; round++) {
@@ -92,7 +92,7 @@ public final class Search {
         return leaders(base, polished, where, score -> true);
     }
 
-    /** The same of hypotheses that promise something to first order. @param least gain, see {@link Screening.Score} */
+    /** The same of hypotheses that promise something to first order. @param least gain [1], see {@link Screening.Score} */
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, double least) {
         return leaders(base, polished, where, score -> score.gain() > least);
     }

@@ -27,7 +27,7 @@ public final class ExcitationLevel implements Serializable, Snapshot {
         input.reset();
     }
 
-    /** Takes a sample. @param u input, where an interval begins */
+    /** Takes a sample. @param u input, where an interval begins [m/s² or rad/s] */
     public void hear(double u) {
         input.hear(u);
     }
@@ -37,7 +37,7 @@ public final class ExcitationLevel implements Serializable, Snapshot {
         return level() > EXCITED;
     }
 
-    /** The input over its sensor's noise. */
+    /** The input over its sensor's noise, r.m.s. both [1]. */
     public double level() {
         return Math.sqrt(input.power()) / noise;
     }

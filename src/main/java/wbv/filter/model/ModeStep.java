@@ -54,12 +54,12 @@ public final class ModeStep implements Serializable {
         this.dg = new double[slopes ? 2 * POINTS * PARAMETERS : 0];
     }
 
-    /** E, row by row: what is left of the state after the step. Not to be modified. */
+    /** E, row by row [1]: what is left of the state after the step. Not to be modified. */
     public double[] transition() {
         return e;
     }
 
-    /** g_j for each j in turn, 2 each: what the input's coefficient of (t/T)^j adds to the state. Not to be modified. */
+    /** g_j [s] for each j in turn, row by row: what the input's coefficient of (t/T)^j adds to the state. Not to be modified. */
     public double[] gains() {
         return g;
     }

@@ -56,7 +56,7 @@ public final class Sensitivity implements Serializable, Snapshot {
     /**
      * Follows the motion over a step.
      *
-     * @param forced as {@link BodyModel#forced} of it. Not modified.
+     * @param forced as {@link BodyModel#forced} of it, as long, in the states' unit. Not modified.
      */
     public void advance(double[] forced) {
         for (int i = 0; i < row.length; i++) {
@@ -71,7 +71,7 @@ public final class Sensitivity implements Serializable, Snapshot {
     /**
      * Hears the output after the step.
      *
-     * @param xi after the step. Not modified.
+     * @param xi ξ after the step, in its own units, n long. Not modified.
      * @param hold whether nothing is to be estimated just now, or nothing excites the body
      */
     public void hear(double[] xi, boolean hold) {
@@ -93,7 +93,7 @@ public final class Sensitivity implements Serializable, Snapshot {
         return free[parameter];
     }
 
-    /** How much the last output depends on a parameter, the motion since the start included. */
+    /** How much the last output depends on a parameter, the motion since the start included, in the output's unit. */
     public double slope(int parameter) {
         return slopes[parameter];
     }
@@ -108,12 +108,12 @@ public final class Sensitivity implements Serializable, Snapshot {
         return false;
     }
 
-    /** ∂v/∂θ of the parameter's mode; 0 where a parameter belongs to none. */
+    /** ∂v/∂θ of the parameter's mode, in the states' unit; 0 where a parameter belongs to none. */
     public double v(int parameter) {
         return v[parameter];
     }
 
-    /** ∂w/∂θ. */
+    /** ∂w/∂θ, in the states' unit. */
     public double w(int parameter) {
         return w[parameter];
     }

@@ -79,7 +79,7 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift);
     }
 
-    /** Noise in one sample [m/s²] of a usual sensor that averages over the sampling interval: density times √(rate/2). */
+    /** Noise in one sample [m/s²] of a usual sensor that averages over the sampling interval: density times √(rate/2). @param rate [Hz] */
     public static double noise(double rate) {
         return NOISE_DENSITY * Math.sqrt(rate / 2);
     }

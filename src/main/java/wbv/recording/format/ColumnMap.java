@@ -69,7 +69,7 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
      *
      * @param name  in its header
      * @param unit  what its numbers are in
-     * @param scale multiplies them further
+     * @param scale factor by which they are multiplied further
      */
     public record Column(String name, String unit, double scale) {
         public Column {

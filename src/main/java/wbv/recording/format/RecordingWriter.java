@@ -166,7 +166,7 @@ public final class RecordingWriter implements Closeable {
     /**
      * Writes a row.
      *
-     * @param row time [s], then the channels; NaN where missing. Not modified.
+     * @param row time [s], then the channels in SI units, one more than channels long; NaN where missing. Not modified.
      * @throws IllegalArgumentException if a value is infinite, or the time is missing
      */
     public void write(double[] row) throws IOException {

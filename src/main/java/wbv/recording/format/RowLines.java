@@ -41,7 +41,8 @@ public final class RowLines {
          *
          * @param seat     whose it is; empty where the line does not say
          * @param channels of the row, the same list for all rows under one header
-         * @param row      time [s], then the channels in SI units; NaN is missing. Not to be modified. Used again: copy what is kept.
+         * @param row      time [s], then the channels in SI units, one more than channels long; NaN is missing. Not to be modified. Used
+         *                 again: copy what is kept.
          */
         void row(String seat, List<Channel> channels, double[] row);
     }

@@ -102,7 +102,7 @@ public sealed interface Finding {
 
     /** The measured rate departs from the nominal one. @param nominal [Hz] @param measured [Hz] */
     record Drift(double nominal, double measured) implements Finding {
-        /** Departure in parts per million. */
+        /** Departure as a ratio, in parts per million. */
         public double ppm() {
             return 1e6 * (measured / nominal - 1);
         }
@@ -141,7 +141,7 @@ public sealed interface Finding {
         }
     }
 
-    /** Rows whose time lies before the row above them, or beyond the rows below. */
+    /** Rows whose time lies before the row above them, or beyond the rows below. @param time [s] of the first */
     record TimeBackwards(long count, long line, double time) implements Finding {
         @Override
         public Severity severity() {
@@ -159,7 +159,12 @@ public sealed interface Finding {
         }
     }
 
-    /** The rows do not lie on one clock: it starts again, two take turns, or the rate changes. @param how which of them */
+    /**
+     * The rows do not lie on one clock: it starts again, two take turns, or the rate changes.
+     *
+     * @param time where [s]
+     * @param how which of them
+     */
     record TwoClocks(long line, double time, String how) implements Finding {
         @Override
         public Severity severity() {
@@ -197,7 +202,12 @@ public sealed interface Finding {
         }
     }
 
-    /** A channel that does not move. @param longest samples in the longest run of one value, from a line on */
+    /**
+     * A channel that does not move.
+     *
+     * @param value where it stands, in the channel's unit
+     * @param longest samples in the longest run of one value, from a line on
+     */
     record Stuck(Channel channel, double value, long longest, long line, long rows) implements Finding {
         @Override
         public Severity severity() {
@@ -258,7 +268,7 @@ public sealed interface Finding {
         }
     }
 
-    /** A channel that stays at its greatest or least value again and again. */
+    /** A channel that stays at its greatest or least value again and again. @param value in the channel's unit */
     record Clipped(Channel channel, double value, long count, long line) implements Finding {
         @Override
         public Severity severity() {
@@ -294,7 +304,7 @@ public sealed interface Finding {
         }
     }
 
-    /** No gravity where it should be. */
+    /** No gravity where it should be. @param magnitude of what stands there instead [m/s²] */
     record GravityMissing(String location, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -312,7 +322,14 @@ public sealed interface Finding {
         }
     }
 
-    /** A standing value that is neither nothing nor gravity: a sensor that is broken or out of calibration. */
+    /**
+     * A standing value that is neither nothing nor gravity: a sensor that is broken or out of calibration.
+     *
+     * @param x its median, in the quantity's unit
+     * @param y likewise
+     * @param z likewise
+     * @param magnitude of all three, in that unit
+     */
     record GrossBias(String location, Quantity quantity, double x, double y, double z, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -355,7 +372,7 @@ public sealed interface Finding {
         }
     }
 
-    /** Single samples far from both neighbours. */
+    /** Single samples far from both neighbours. @param greatest jump, in the channel's unit */
     record Spikes(Channel channel, long count, double greatest, long line) implements Finding {
         @Override
         public Severity severity() {

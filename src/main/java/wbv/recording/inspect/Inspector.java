@@ -46,7 +46,12 @@ public final class Inspector {
         this.passedOver = passedOver;
     }
 
-    /** Looks at a row. @param row time [s], then the channels. Not modified, not kept. @param line where it stands */
+    /**
+     * Looks at a row.
+     *
+     * @param row time [s], then the channels in SI units, one more than channels long. Not modified, not kept.
+     * @param line where it stands
+     */
     public void accept(double[] row, long line) {
         rows++;
         boolean repeated = row[0] == previous[0] && RowComparison.same(row, previous);

@@ -42,7 +42,7 @@ public final class RowLooks {
     /**
      * Looks at a row.
      *
-     * @param row time [s], then the channels. Not modified, not kept.
+     * @param row time [s], then the channels in SI units, one more than channels long. Not modified, not kept.
      * @param line where it stands, 0 where lines mean nothing
      */
     public void accept(double[] row, long line) {

@@ -37,7 +37,7 @@ public final class SampledColumns {
         this.values = new double[1 + channels.size()][1024];
     }
 
-    /** Adds a row. @param row time [s], then the channels in SI. Not modified. */
+    /** Adds a row. @param row time [s], then the channels in SI units, one more than channels long. Not modified. */
     public void add(double[] row) {
         if (length == values[0].length) {
             for (int i = 0; i < values.length; i++) {

@@ -83,7 +83,7 @@ public sealed interface PlatformExcitation {
      * jump of phase. Frequency and amplitude are confounded, so softening looks like resonance.
      *
      * @param startFrequency [Hz] @param endFrequency [Hz], to 50
-     * @param startAmplitude peak [m/s² or rad/s] @param endAmplitude peak
+     * @param startAmplitude peak [m/s² or rad/s] @param endAmplitude peak, in the same unit
      * @param seconds time of one run [s], &gt; 0
      */
     record Sweep(Axis axis, double startFrequency, double endFrequency, double startAmplitude, double endAmplitude,

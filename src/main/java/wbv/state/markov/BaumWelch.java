@@ -14,9 +14,10 @@ import wbv.state.mixture.Spread;
  * III.C), with a Dirichlet prior on the rows of the transitions and on the initial probabilities: the likelihood plus the log
  * prior never falls.
  *
- * @param rounds    at most, &gt;= 1 @param tolerance change of ln p that ends it
- * @param pseudo    counts that the prior adds to every transition and first state, &gt;= 0; 0 is maximum likelihood
- * @param shape     of the covariances @param floor least variance over that of the data; a lift by it may cost likelihood
+ * @param rounds    at most, &gt;= 1 @param tolerance change of ln p [nat] that ends it
+ * @param pseudo    counts [1] that the prior adds to every transition and first state, &gt;= 0; 0 is maximum likelihood
+ * @param shape     of the covariances @param floor share of the variance of the data below which none falls; a lift by it may cost
+ *                  likelihood
  */
 public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceShape shape, double floor) {
 
@@ -71,7 +72,7 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceS
         return new Result(model, history);
     }
 
-    /** ln p of sequences under a model. */
+    /** ln p of sequences under a model [nat]. */
     public static double logLikelihood(HiddenMarkov model, List<double[][]> sequences) {
         return sequences.stream().mapToDouble(sequence -> new Trellis(model, sequence).logLikelihood()).sum();
     }

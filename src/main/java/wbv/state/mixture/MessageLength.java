@@ -25,7 +25,7 @@ import org.apache.commons.math3.random.RandomGenerator;
  *
  * @param fewest components at the end of the search, &gt;= 1 @param most components to begin with
  * @param shape  of the covariances @param tolerance relative change of L at which a number of components is done
- * @param floor  least variance over that of the data, &lt; 1
+ * @param floor  ratio of the least variance to that of the data, &lt; 1
  */
 public record MessageLength(int fewest, int most, CovarianceShape shape, double tolerance, double floor) {
 
@@ -55,7 +55,7 @@ public record MessageLength(int fewest, int most, CovarianceShape shape, double 
     /**
      * Fits.
      *
-     * @param rows     n by d, finite, n &gt;= 1. Not modified. @param random chooses where components begin
+     * @param rows     n by d, each column in its own unit, finite, n &gt;= 1. Not modified. @param random chooses where components begin
      * @param progress hears the share of components that are done
      * @throws IllegalArgumentException if there are no rows
      */

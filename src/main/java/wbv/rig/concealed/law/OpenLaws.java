@@ -53,17 +53,17 @@ public final class OpenLaws {
         return (Springs.Instant) (r, v) -> k * Math.abs(r) * Math.tanh(v / soft);
     }
 
-    /** c max(0, v): a damper that works in rebound alone. */
+    /** c max(0, v): a damper that works in rebound alone. @param c [N s/m] */
     public static LinkPhysics rebound(double c) {
         return (Springs.Instant) (r, v) -> c * Math.max(0, v);
     }
 
-    /** c max(v, -s): a damper whose valve blows off in compression. @param speed s at which it opens [m/s] */
+    /** c max(v, -s): a damper whose valve blows off in compression. @param c [N s/m] @param speed s at which it opens [m/s] */
     public static LinkPhysics blowOff(double c, double speed) {
         return (Springs.Instant) (r, v) -> c * Math.max(v, -speed);
     }
 
-    /** c v / (1 + (v/s)²): an eddy-current brake. @param speed s of its greatest force [m/s] */
+    /** c v / (1 + (v/s)²): an eddy-current brake. @param c [N s/m] @param speed s of its greatest force [m/s] */
     public static LinkPhysics eddyBrake(double c, double speed) {
         return (Springs.Instant) (r, v) -> c * v / (1 + v / speed * (v / speed));
     }
