@@ -18,12 +18,11 @@ public record Entering(double[] signal, double[] variance) {
         Window window = state.frame().whitening().window();
         double[] unit = unit(evidence, state, direction);
         double[] r = state.residual();
-        int m = 2 * evidence.outputs().size();
         double[] signal = new double[2 * window.lines()];
         double[] variance = new double[window.lines()];
         for (int line = 0; line < window.lines(); line++) {
             double size = 0;
-            for (int i = m * line; i < m * (line + 1); i += 2) {
+            for (int i = 2 * line; i < r.length; i += 2 * window.lines()) {
                 size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
                 signal[2 * line] += unit[i] * r[i] + unit[i + 1] * r[i + 1];
                 signal[2 * line + 1] += unit[i] * r[i + 1] - unit[i + 1] * r[i];

@@ -273,8 +273,10 @@ public final class Fitter {
             damping = better == from ? 1e-3 : Math.max(step.damping() / 8, 1e-7);
             fresh = settled || !isApart(better.candidate());
             earlier = fresh ? Optional.empty() : Optional.of(followed);
-            state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(),
-                    bends);
+            state = fresh || !better.candidate().added().isEmpty()
+                    ? state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(),
+                            bends)
+                    : better;
         }
         return state;
     }
@@ -297,12 +299,12 @@ public final class Fitter {
     }
 
     /**
-     * Whether what was added to the user's model is all apart from its structure, as a hidden mass is not, and that has so many numbers
-     * that it counts.
+     * Whether what was added to the user's model, if anything was, is all apart from its structure, as a hidden mass is not, and that has
+     * so many numbers that it counts.
      */
     private static boolean isApart(Candidate candidate) {
         int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
-        return added > 0 && candidate.knobs().size() - added >= MANY
+        return candidate.knobs().size() - added >= MANY
                 && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
     }
 

@@ -24,7 +24,11 @@ public final class Normal {
     }
 
     private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, projection.products(state.slopes()), Gram.of(state.slopes()));
+        this(state, projection, new Columns(state.slopes()));
+    }
+
+    private Normal(Fitter.State state, Projection projection, Columns slopes) {
+        this(state, projection, projection.products(slopes), slopes.gram());
     }
 
     private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {
@@ -99,11 +103,12 @@ public final class Normal {
         if (!projection.suits(next)) {
             return new Normal(next);
         }
-        double[][] columns = IntStream.of(fresh).mapToObj(i -> next.slopes()[i]).toArray(double[][]::new);
+        Columns slopes = new Columns(next.slopes());
+        Columns columns = slopes.only(fresh);
         double[][] theirs = products.clone();
         double[][] all = Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new);
         double[][] own = projection.products(columns);
-        double[][] with = Gram.products(next.slopes(), columns);
+        double[][] with = slopes.products(columns);
         for (int k = 0; k < fresh.length; k++) {
             theirs[fresh[k]] = own[k];
             for (int i = 0; i < n; i++) {

@@ -1,5 +1,6 @@
 package wbv.diagnosis.fit;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -23,7 +24,7 @@ public final class Nuisances {
     private final double sample;
     private final List<SmallError> errors;
     /** What one standard deviation of each error adds to the whitened residual. */
-    private final double[][] columns;
+    private final Columns columns;
     private final double[][] gram;
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
     private final double[] delays;
@@ -37,9 +38,8 @@ public final class Nuisances {
      */
     public static Nuisances of(Evidence evidence, Whitening whitening, ErrorShapes ways) {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
-        double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, Gram.of(all),
-                new double[all.length], 1);
+        Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
+        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1);
     }
 
     /**
@@ -77,20 +77,20 @@ public final class Nuisances {
     }
 
     private Nuisances scaled(double factor) {
-        double[][] all = columns.clone();
+        double[][] all = new double[columns.count()][];
         double[][] products = new double[all.length][all.length];
         double[] by = new double[all.length];
         for (int i = 0; i < all.length; i++) {
             boolean own = errors.get(i).kind() == SmallError.Kind.WAY;
             by[i] = own ? factor : 1;
-            all[i] = own ? java.util.Arrays.stream(all[i]).map(value -> factor * value).toArray() : all[i];
+            all[i] = own ? Arrays.stream(columns.get(i)).map(value -> factor * value).toArray() : columns.get(i);
         }
         for (int i = 0; i < all.length; i++) {
             for (int j = 0; j < all.length; j++) {
                 products[i][j] = by[i] * by[j] * gram[i][j];
             }
         }
-        return new Nuisances(window, sample, errors, all, products, delays, factor * way);
+        return new Nuisances(window, sample, errors, new Columns(all), products, delays, factor * way);
     }
 
     /** What an error of so many standard deviations is of what is known of it. */
@@ -98,7 +98,7 @@ public final class Nuisances {
         return errors.get(i).kind() == SmallError.Kind.WAY ? way : 1;
     }
 
-    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays,
+    private Nuisances(Window window, double sample, List<SmallError> errors, Columns columns, double[][] gram, double[] delays,
             double way) {
         this.window = window;
         this.sample = sample;
@@ -190,11 +190,9 @@ public final class Nuisances {
      * @param residual Modified.
      */
     void restore(double[] residual, boolean[] off) {
-        for (int i = 0; i < delays.length; i++) {
-            for (int k = 0; k < residual.length && delays[i] != 0 && !off[i]; k++) {
-                residual[k] += delays[i] * columns[i][k];
-            }
-        }
+        double[] taken = new double[delays.length];
+        Arrays.setAll(taken, i -> off[i] ? 0 : -delays[i]);
+        columns.subtract(taken, residual);
     }
 
     /** What a gain and a delay [s] make of each line. */
@@ -215,7 +213,7 @@ public final class Nuisances {
 
     /** The errors of sensors that a candidate holds at fault in the same way: there the fault says it all. */
     public boolean[] off(Candidate candidate) {
-        boolean[] out = new boolean[columns.length];
+        boolean[] out = new boolean[columns.count()];
         for (Hypothesis hypothesis : candidate.added()) {
             for (Hypothesis.Addition addition : hypothesis.additions()) {
                 for (int i = 0; i < out.length && isLate(addition); i++) {
@@ -269,13 +267,14 @@ public final class Nuisances {
         return errors.get(i);
     }
 
-    double[] column(int i) {
-        return columns[i];
+    /** What one standard deviation of each error adds to the whitened residual. */
+    Columns columns() {
+        return columns;
     }
 
     /** Products of a whitened vector with all columns. */
     double[] products(double[] vector) {
-        return Gram.products(columns, vector);
+        return columns.products(vector);
     }
 
     /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
@@ -289,7 +288,7 @@ public final class Nuisances {
      */
     Explained explain(double[] residual, boolean[] off) {
         double[] products = products(residual);
-        double[] n = new double[columns.length];
+        double[] n = new double[columns.count()];
         boolean[] held = off.clone();
         for (int round = 0; round < ROUNDS; round++) {
             solve(n, products, held);
@@ -351,7 +350,7 @@ public final class Nuisances {
     /** The residual without what errors explain. A new array. */
     double[] removed(double[] residual, double[] n) {
         double[] out = residual.clone();
-        Gram.subtract(columns, n, out);
+        columns.subtract(n, out);
         return out;
     }
 

@@ -46,12 +46,9 @@ public final class SpectralLines {
     /** Power of each line over the median of its neighbours'. */
     private static double[] prominence(double[] residual, Window window) {
         int lines = window.lines();
-        int width = residual.length / lines;
         double[] power = new double[lines];
-        for (int line = 0; line < lines; line++) {
-            for (int i = 0; i < width; i++) {
-                power[line] += residual[line * width + i] * residual[line * width + i];
-            }
+        for (int i = 0; i < residual.length; i += 2) {
+            power[i / 2 % lines] += residual[i] * residual[i] + residual[i + 1] * residual[i + 1];
         }
         double[] prominence = new double[lines];
         for (int line = 0; line < lines; line++) {

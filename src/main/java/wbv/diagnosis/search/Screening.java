@@ -12,9 +12,9 @@ import wbv.body.number.Numbers;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Columns;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Gram;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
@@ -40,6 +40,7 @@ public final class Screening {
     private final Fitter.State state;
     private final Whitening whitening;
     private final Projection projection;
+    private final Columns slopes;
     private final double[][] products;
     private final Motion motion;
     private final Simulator simulator;
@@ -82,6 +83,7 @@ public final class Screening {
         Normal normal = new Normal(state);
         this.gradient = normal.gradient();
         this.residual = state.residual();
+        this.slopes = new Columns(state.slopes());
         this.projection = normal.projection();
         this.products = normal.products();
         int n = gradient.length;
@@ -229,7 +231,7 @@ public final class Screening {
     public Rest rest(double[] direction) {
         double[] own = projection.products(direction);
         double[] follow = projection.errors(own);
-        double[] cross = Gram.products(state.slopes(), direction);
+        double[] cross = slopes.products(direction);
         for (int p = 0; p < cross.length; p++) {
             cross[p] -= Fitter.dot(follow, products[p]);
         }
