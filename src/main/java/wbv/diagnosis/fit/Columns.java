@@ -19,7 +19,7 @@ public final class Columns {
     private final int[] from;
     private final int[] to;
 
-    /** @param vectors of the same length each. Not copied, not modified. */
+    /** Vectors to be multiplied. @param vectors by vector, of the same length each, in any unit. Not copied, not modified. */
     public Columns(double[][] vectors) {
         this(vectors, Arrays.stream(vectors).mapToInt(Columns::first).toArray(),
                 Arrays.stream(vectors).mapToInt(Columns::afterLast).toArray());
@@ -63,7 +63,7 @@ public final class Columns {
         return vectors[i];
     }
 
-    /** The product of each pair, symmetric. */
+    /** The product of each pair: by vector and vector, symmetric, in their units multiplied. */
     public double[][] gram() {
         double[][] out = products(this, true);
         for (int i = 0; i < out.length; i++) {
@@ -74,7 +74,7 @@ public final class Columns {
         return out;
     }
 
-    /** Products with each of some others, by other. @param others as long */
+    /** Products with each of some others, in their units multiplied: by other and by vector. @param others as long */
     public double[][] products(Columns others) {
         return products(others, false);
     }
@@ -150,7 +150,7 @@ public final class Columns {
         }
     }
 
-    /** Products with another vector. @param other as long. Not modified. */
+    /** Products with another vector: by vector, in their units multiplied. @param other as long as each, in any unit. Not modified. */
     public double[] products(double[] other) {
         double[] out = new double[count()];
         int i = 0;

@@ -10,7 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Products of vectors are those of the matrices that EJML makes of them, for any number and length of vectors, with any zeros at their ends.
+ * Products of vectors are those of the matrices that EJML makes of them, for any number and length of vectors, with any zeros at their
+ * ends.
  */
 class ColumnsTest {
 
