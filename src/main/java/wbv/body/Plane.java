@@ -17,7 +17,13 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
     /** A motion of a rigid body. */
     public enum Motion { X, Z, PITCH }
 
-    /** A body. @param coordinate of each motion, -1 for none. Not copied @param x of its centre of mass [m] @param z likewise */
+    /**
+     * A body.
+     *
+     * @param coordinate of each motion, -1 for none. Not copied
+     * @param x of its centre of mass [m]
+     * @param z likewise
+     */
     public record Rigid(int[] coordinate, double x, double z) {}
 
     /**

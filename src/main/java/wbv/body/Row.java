@@ -23,7 +23,11 @@ public record Row(int[] at, double[] by) {
         return coordinate < 0 ? new Row(new int[0], new double[0]) : new Row(new int[] {coordinate}, new double[] {1});
     }
 
-    /** The upper end less the lower end. @param from -1 for the base */
+    /**
+     * The upper end less the lower end.
+     *
+     * @param from -1 for the base
+     */
     public static Row between(int from, int to) {
         return from < 0 ? of(to) : new Row(new int[] {to, from}, new double[] {1, -1});
     }

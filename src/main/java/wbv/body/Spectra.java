@@ -32,7 +32,8 @@ public final class Spectra {
     /**
      * Adds a multiple of the product of two spectra of any units, line by line.
      *
-     * @param x spectrum of any unit @param y of any unit, as long
+     * @param x spectrum of any unit
+     * @param y of any unit, as long
      * @param out in the product of their units, a spectrum as long as they. Modified.
      */
     public static void addProduct(double[] x, double[] y, double factor, double[] out) {

@@ -138,7 +138,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Arrays.stream(squares).filter(square -> square > LOOSE * largest).map(square -> Math.sqrt(square) / (2 * Math.PI)).min();
     }
 
-    /** The same net with other values. @param values 2 L + n long, in the order and units of {@link #values}. Not modified. */
+    /**
+     * The same net with other values.
+     *
+     * @param values 2 L + n long, in the order and units of {@link #values}. Not modified.
+     */
     public Structure with(double[] values) {
         int links = links();
         double[] k = Arrays.copyOfRange(values, 0, links);
@@ -166,7 +170,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Math.sqrt(largest);
     }
 
-    /** State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41. @param omega Ω [rad/s] */
+    /**
+     * State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41.
+     *
+     * @param omega Ω [rad/s]
+     */
     public DMatrixRMaj stateMatrix(double omega) {
         int n = bodies();
         DMatrixRMaj a = new DMatrixRMaj(2 * n, 2 * n);
@@ -209,7 +217,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return axes() + links() + body;
     }
 
-    /** Derivative of {@link #stateMatrix} to a parameter at constant Ω. @param omega Ω [rad/s] */
+    /**
+     * Derivative of {@link #stateMatrix} to a parameter at constant Ω.
+     *
+     * @param omega Ω [rad/s]
+     */
     public DMatrixRMaj stateSlope(int parameter, double omega) {
         int n = bodies();
         DMatrixRMaj d = new DMatrixRMaj(2 * n, 2 * n);

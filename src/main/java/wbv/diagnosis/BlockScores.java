@@ -43,7 +43,11 @@ final class BlockScores {
         return gradients.length;
     }
 
-    /** Variance of b·x. @param solved C⁻¹ b with C the curvature. Not modified. */
+    /**
+     * Variance of b·x.
+     *
+     * @param solved C⁻¹ b with C the curvature. Not modified.
+     */
     double variance(double[] solved) {
         double sum = 0;
         for (double[] each : gradients) {

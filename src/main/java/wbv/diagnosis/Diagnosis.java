@@ -93,13 +93,19 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     /**
      * A law that was learned.
      *
-     * @param where   link @param formula of its force, which pulls the ends of the link together [N]
+     * @param where   link
+     * @param formula of its force, which pulls the ends of the link together [N]
      * @param terms   that add up to it, as {@code model.json} has them
      * @param rivals  other laws that were fitted, likeliest first
      */
     public record LearnedLaw(String where, String formula, List<Learned> terms, List<Rival> rivals) {
 
-        /** Another law. @param probability against all that were fitted @param reduced mean square of the whitened residual with it */
+        /**
+         * Another law.
+         *
+         * @param probability against all that were fitted
+         * @param reduced mean square of the whitened residual with it
+         */
         public record Rival(String formula, double probability, double reduced) {}
     }
 
@@ -156,7 +162,9 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      *
      * @param band    two numbers: lowest and highest frequency [Hz]
      * @param signal  share of the channel's power that lies in the band
-     * @param before  without what was found @param after with it @param floor ratio that noise alone would leave
+     * @param before  without what was found
+     * @param after with it
+     * @param floor ratio that noise alone would leave
      * @param removed part of what is above the noise that went; NaN where there was too little to remove
      */
     public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {}

@@ -39,7 +39,11 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
         return new Predicted(time, evidence.outputs(), recorded, part(model, held), part(read, held));
     }
 
-    /** The same on a clock that began later. @param seconds how much [s] */
+    /**
+     * The same on a clock that began later.
+     *
+     * @param seconds how much [s]
+     */
     public Predicted earlier(double seconds) {
         return new Predicted(Arrays.stream(time).map(t -> t - seconds).toArray(), outputs, recorded, model, read);
     }

@@ -69,7 +69,11 @@ public final class SpinalDose implements DoubleConsumer {
         return dose * Math.pow(daily / measured, 1.0 / 6);
     }
 
-    /** Dose of a day of several tasks, {@code (Σ Dzd_j⁶)^(1/6)} [m/s²]. @param doses of the tasks in a day [m/s²] */
+    /**
+     * Dose of a day of several tasks, {@code (Σ Dzd_j⁶)^(1/6)} [m/s²].
+     *
+     * @param doses of the tasks in a day [m/s²]
+     */
     public static double together(double... doses) {
         double all = 0;
         for (double each : doses) {

@@ -166,7 +166,11 @@ public final class CrossAxes implements Serializable, Snapshot {
         return level * (blocked[i] + rise);
     }
 
-    /** One step of the Laguerre functions of an input: a low-pass, then all-passes. @param to from index at. Modified. */
+    /**
+     * One step of the Laguerre functions of an input: a low-pass, then all-passes.
+     *
+     * @param to from index at. Modified.
+     */
     private void respond(int i, double sample, double[] to, int at) {
         double into = gain * sample;
         double outBefore = 0;

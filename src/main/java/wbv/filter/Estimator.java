@@ -57,7 +57,11 @@ public interface Estimator extends Serializable, Snapshot {
     /** As before the first sample. */
     void reset();
 
-    /** |H(f)| of the body as now known [1]. @param f [Hz] */
+    /**
+     * |H(f)| of the body as now known [1].
+     *
+     * @param f [Hz]
+     */
     double modulus(double f);
 
     /** An estimator that continues as this one would, independent of it. */

@@ -190,7 +190,12 @@ final class JointFilter implements BodyFilter {
         return foresee(model, window, input, offsetDecay, c, ahead);
     }
 
-    /** The output at the end of the window. @param c work @param ahead where the window begins. Modified. */
+    /**
+     * The output at the end of the window.
+     *
+     * @param c work
+     * @param ahead where the window begins. Modified.
+     */
     static double foresee(BodyModel model, InputWindow window, double input, double offsetDecay, double[] c, double[] ahead) {
         window.lookAhead(input);
         int offset = model.offset();

@@ -65,7 +65,11 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
         return new Worst(seat, exposure.a8(), exposure.vdv(), exposure.minutesToAction(), exposure.minutesToLimit(), lost);
     }
 
-    /** The same in lines for people. @param rate of the samples of one seat [Hz] */
+    /**
+     * The same in lines for people.
+     *
+     * @param rate of the samples of one seat [Hz]
+     */
     public String text(double rate) {
         StringBuilder text = new StringBuilder();
         if (resumed_behind > 0) {

@@ -78,7 +78,12 @@ public record Armax(double rate, double[] a, double[][] b, int delay, double[] c
         return out;
     }
 
-    /** |B_i/A| at a frequency, in the output's unit over the input's. @param input which @param f [Hz], up to half the rate */
+    /**
+     * |B_i/A| at a frequency, in the output's unit over the input's.
+     *
+     * @param input which
+     * @param f [Hz], up to half the rate
+     */
     public double modulus(int input, double f) {
         double w = 2 * Math.PI * f / rate;
         double re = 0;

@@ -264,7 +264,11 @@ public final class EquivalentBodies {
         return with;
     }
 
-    /** Whether the second errors are smaller, by the scatter of their difference over batches (one-sided). @param looks comparisons made */
+    /**
+     * Whether the second errors are smaller, by the scatter of their difference over batches (one-sided).
+     *
+     * @param looks comparisons made
+     */
     private boolean better(double[] first, double[] second, int looks) {
         SummaryStatistics gains = new SummaryStatistics();
         int length = Math.max((int) Math.ceil(rate), batch / JUDGING);

@@ -27,7 +27,11 @@ public final class MotionWindow {
         this.ring = new double[channels][0];
     }
 
-    /** Takes a sample of each channel; NaN is missing. @param values one a channel, in its own unit. Not modified. */
+    /**
+     * Takes a sample of each channel; NaN is missing.
+     *
+     * @param values one a channel, in its own unit. Not modified.
+     */
     public void accept(double[] values) {
         int at = (int) (samples % capacity);
         if (at == ring[0].length) {

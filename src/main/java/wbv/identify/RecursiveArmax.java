@@ -101,7 +101,8 @@ public final class RecursiveArmax implements Serializable {
     /**
      * Takes the next sample; one with a missing number is passed over.
      *
-     * @param u one an input, in its own unit. Not modified. @param y output, in its own unit
+     * @param u one an input, in its own unit. Not modified.
+     * @param y output, in its own unit
      * @return the output as predicted before it was seen, in its unit; NaN if the sample was passed over
      */
     public double step(double[] u, double y) {

@@ -27,7 +27,11 @@ public record ScaledResponse(double[] a, double[][] b, boolean[] rates) implemen
         }
     }
 
-    /** The response of the body with this pulsation. @param omega [rad/s], &gt; 0 */
+    /**
+     * The response of the body with this pulsation.
+     *
+     * @param omega [rad/s], &gt; 0
+     */
     public TransferModel at(double omega) {
         int n = a.length;
         double[] down = new double[n];

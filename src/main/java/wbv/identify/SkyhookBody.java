@@ -36,8 +36,8 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
      * taken for band-limited, as sensors give it.
      *
      * @param rate   samples per second [Hz]
-     * @param u      input by sample, in its own unit, without offset and gaps. Not modified. @param others other motions, likewise. Not
-     *               modified.
+     * @param u      input by sample, in its own unit, without offset and gaps. Not modified.
+     * @param others other motions, likewise. Not modified.
      * @param y      output, likewise. Not modified.
      * @return empty if nothing moves, or the motions cannot be told apart
      */

@@ -57,7 +57,12 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
         return y;
     }
 
-    /** |B_i/A| at a frequency, in the output's unit over the input's. @param input which @param f [Hz] */
+    /**
+     * |B_i/A| at a frequency, in the output's unit over the input's.
+     *
+     * @param input which
+     * @param f [Hz]
+     */
     public double modulus(int input, double f) {
         double w = 2 * Math.PI * f;
         double[] down = new double[a.length + 1];
@@ -77,7 +82,10 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
         return Math.hypot(re, im);
     }
 
-    /** @param z row k is {@code s^k/A} of something @param weights highest power first */
+    /**
+     * @param z row k is {@code s^k/A} of something
+     * @param weights highest power first
+     */
     private static void add(double[][] z, double[] weights, double[] y) {
         for (int k = 0; k < z.length; k++) {
             double weight = weights[z.length - 1 - k];

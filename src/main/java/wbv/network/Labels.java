@@ -40,7 +40,11 @@ public record Labels(String file, int modes, List<Label> list) {
         list = List.copyOf(list);
     }
 
-    /** Reads a file of labels. @throws DataFault that names the line if the file is none of labels, or a label cannot be */
+    /**
+     * Reads a file of labels.
+     *
+     * @throws DataFault that names the line if the file is none of labels, or a label cannot be
+     */
     public static Labels read(Path path) throws IOException {
         String name = path.toString();
         List<String> lines = InputFile.text(path, "labels are a CSV file that begins with " + HEADERS.get(0)).lines().toList();

@@ -26,7 +26,11 @@ public final class Ridge {
         this.weights = weights;
     }
 
-    /** Fits damping ratio and frequency of every mode. @param held trials by which λ is chosen */
+    /**
+     * Fits damping ratio and frequency of every mode.
+     *
+     * @param held trials by which λ is chosen
+     */
     public static Ridge fit(Imaging imaging, List<LabelledMotion> trials, List<LabelledMotion> held) {
         List<float[]> images = trials.stream().map(trial -> imaging.image(trial.motion())).toList();
         Scaling scaling = Scaling.of(images, trials);

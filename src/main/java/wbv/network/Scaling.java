@@ -48,7 +48,11 @@ public record Scaling(double[] planeMean, double[] planeDeviation, double[] mean
         return new Scaling(values[0], values[1], values[2], values[3]);
     }
 
-    /** Standardises an image in place. @param image modified */
+    /**
+     * Standardises an image in place.
+     *
+     * @param image modified
+     */
     void standardise(float[] image) {
         for (int p = 0; p < planeMean.length; p++) {
             for (int i = p * Imaging.PLANE; i < (p + 1) * Imaging.PLANE; i++) {

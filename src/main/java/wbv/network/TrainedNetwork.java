@@ -74,7 +74,11 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
         return new SafeTensors(words, tensors).bytes();
     }
 
-    /** Reads a model. @throws DataFault if the file is no model of this version */
+    /**
+     * Reads a model.
+     *
+     * @throws DataFault if the file is no model of this version
+     */
     public static TrainedNetwork read(Path file) throws IOException {
         return parse(file.toString(), InputFile.bytes(file, "a model is what 'wbv net train' writes"));
     }
@@ -180,7 +184,11 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
             throw fault(key, "must be a whole number from 1 to " + most);
         }
 
-        /** A list of finite numbers. @param positive true where each must be greater than 0 */
+        /**
+         * A list of finite numbers.
+         *
+         * @param positive true where each must be greater than 0
+         */
         double[] numbers(String key, int count, boolean positive) {
             try {
                 double[] values = MAPPER.readValue(text(key), double[].class);

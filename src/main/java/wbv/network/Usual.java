@@ -17,7 +17,11 @@ public record Usual(double left, double coloured, double moved, double[] widenin
 
     private static final double SHARE = 0.997;
 
-    /** Everything is usual, where that is not known. @param targets values read */
+    /**
+     * Everything is usual, where that is not known.
+     *
+     * @param targets values read
+     */
     static Usual unknown(int targets) {
         double[] ones = new double[targets];
         Arrays.fill(ones, 1);

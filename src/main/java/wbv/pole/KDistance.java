@@ -12,7 +12,11 @@ import java.util.Arrays;
  */
 public record KDistance(int k, double[] distance, int knee) {
 
-    /** The curve of some points. @param points by row, at least k, all coordinates of one unit. Not modified. */
+    /**
+     * The curve of some points.
+     *
+     * @param points by row, at least k, all coordinates of one unit. Not modified.
+     */
     public static KDistance of(double[][] points, int k) {
         double[] curve = core(points, k);
         Arrays.sort(curve);

@@ -50,7 +50,12 @@ public final class OnlineRemoval implements Serializable {
         this(layout, windows, rate, kept, between, true);
     }
 
-    /** Follows what was trained elsewhere. @param trained of which the first absent channel is predicted @param rate [Hz] */
+    /**
+     * Follows what was trained elsewhere.
+     *
+     * @param trained of which the first absent channel is predicted
+     * @param rate [Hz]
+     */
     public OnlineRemoval(TrainedPoles trained, double rate) {
         this(trained.layout(), trained.windows(), rate, 1, 1, false);
         this.run = new RemovalRun(trained, STREAM, rate);

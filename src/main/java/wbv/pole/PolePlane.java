@@ -10,7 +10,10 @@ import wbv.identify.Pole;
  * the same in both directions. The spread is the median distance from the median times 1.4826, a standard deviation where values
  * are normal (Hampel 1974).
  *
- * @param centreRe [rad/s] @param spreadRe [rad/s], &gt; 0 @param centreIm [rad/s] @param spreadIm [rad/s], &gt; 0
+ * @param centreRe [rad/s]
+ * @param spreadRe [rad/s], &gt; 0
+ * @param centreIm [rad/s]
+ * @param spreadIm [rad/s], &gt; 0
  */
 public record PolePlane(double centreRe, double spreadRe, double centreIm, double spreadIm) implements Serializable {
 

@@ -227,7 +227,11 @@ public final class RemovalRun implements Serializable {
         return pole;
     }
 
-    /** Bounds of an absent body, in the order of {@link Attributes#OF_A_BODY}. @param absent number of the channel in the layout */
+    /**
+     * Bounds of an absent body, in the order of {@link Attributes#OF_A_BODY}.
+     *
+     * @param absent number of the channel in the layout
+     */
     public List<Chord> bounds(int absent) {
         return places[absent].chords;
     }
@@ -264,7 +268,11 @@ public final class RemovalRun implements Serializable {
         return places[absent].response.foresee(ahead);
     }
 
-    /** The constrained body's motion that goes with the next sample [m/s²]. Changes nothing. @param u of the base [m/s²]; NaN if missing */
+    /**
+     * The constrained body's motion that goes with the next sample [m/s²]. Changes nothing.
+     *
+     * @param u of the base [m/s²]; NaN if missing
+     */
     public double foreseeBody(int absent, double u) {
         return places[absent].body.predict(u);
     }

@@ -49,7 +49,11 @@ public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, 
         }
     }
 
-    /** The same for one absent channel alone. @throws DataFault if nothing is said of it */
+    /**
+     * The same for one absent channel alone.
+     *
+     * @throws DataFault if nothing is said of it
+     */
     public TrainedPoles forOnly(Channel absent) {
         return new TrainedPoles(new Layout(layout.inputs(), layout.measured(), List.of(absent)), windows, plane, epsilon, outline, typical,
                 links, responses, bodies, trials);
@@ -82,7 +86,11 @@ public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, 
                         + "; train them on recordings that have it"));
     }
 
-    /** Bounds of a body's attribute. @param measured pole seen now */
+    /**
+     * Bounds of a body's attribute.
+     *
+     * @param measured pole seen now
+     */
     public Chord chord(Channel absent, Pole measured, Attribute attribute) {
         return bodyOf(absent).chord(measured, attribute);
     }

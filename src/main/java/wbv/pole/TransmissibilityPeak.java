@@ -11,7 +11,8 @@ import wbv.signal.Segmentation;
 /**
  * The peak of a measured transmissibility.
  *
- * @param frequency [Hz] @param magnitude ratio
+ * @param frequency [Hz]
+ * @param magnitude ratio
  */
 public record TransmissibilityPeak(double frequency, double magnitude) {
 

@@ -3,7 +3,9 @@ package wbv.rig;
 /**
  * What the sensors at a place do to what they measure.
  *
- * @param acceleration in m/s² @param rate in rad/s @param field in units of the local field of the earth
+ * @param acceleration in m/s²
+ * @param rate in rad/s
+ * @param field in units of the local field of the earth
  * @param force        of the force plate on the seat, in N
  * @param tilt         standard deviation of the error of attitude about x and about y [rad]
  * @param lossShare    share of packets lost where losses are on, 0 to less than 1; the force plate is wired

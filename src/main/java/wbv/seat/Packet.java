@@ -102,7 +102,8 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     /**
      * Looks for a packet at a place among bytes.
      *
-     * @param bytes Not modified. @param to behind the last of them
+     * @param bytes Not modified.
+     * @param to behind the last of them
      * @return length of the whole packet that begins there; 0 if none does; if one may that goes on behind these, minus its length
      *         so far as it is known
      */

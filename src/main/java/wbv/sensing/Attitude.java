@@ -48,7 +48,8 @@ public final class Attitude implements Serializable {
      * force
      * nothing corrects it.
      *
-     * @param specific [m/s²], three long @param rate [rad/s], both in the sensor's axes, three long. Not modified.
+     * @param specific [m/s²], three long
+     * @param rate [rad/s], both in the sensor's axes, three long. Not modified.
      */
     public void accept(double[] specific, double[] rate) {
         if (Vectors.known(rate)) {

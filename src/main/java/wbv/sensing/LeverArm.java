@@ -46,8 +46,9 @@ public final class LeverArm {
     /**
      * Takes a sample and gives the acceleration of {@link #delay()} samples ago; NaN before the first and near missing ones.
      *
-     * @param acceleration [m/s²], three long @param rate [rad/s], both in the segment's axes, three long. Not modified. @param out [m/s²],
-     *                     three long. Modified.
+     * @param acceleration [m/s²], three long
+     * @param rate [rad/s], both in the segment's axes, three long. Not modified.
+     * @param out [m/s²], three long. Modified.
      */
     public void accept(double[] acceleration, double[] rate, double[] out) {
         for (int i = 0; i < 3; i++) {

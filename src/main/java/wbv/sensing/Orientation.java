@@ -33,7 +33,12 @@ public final class Orientation implements Serializable {
         return made;
     }
 
-    /** The least rotation that turns one direction into another. @param from @param to three long, of any unit, not all 0. Not modified. */
+    /**
+     * The least rotation that turns one direction into another.
+     *
+     * @param from
+     * @param to three long, of any unit, not all 0. Not modified.
+     */
     public static Orientation between(double[] from, double[] to) {
         double[] a = Vectors.unit(from);
         double[] b = Vectors.unit(to);
@@ -129,7 +134,13 @@ public final class Orientation implements Serializable {
         out[2] = oz;
     }
 
-    /** Turns the inner frame on by a rotation vector in its own axes. @param rx [rad] @param ry [rad] @param rz [rad] */
+    /**
+     * Turns the inner frame on by a rotation vector in its own axes.
+     *
+     * @param rx [rad]
+     * @param ry [rad]
+     * @param rz [rad]
+     */
     public void turn(double rx, double ry, double rz) {
         double half = Math.sqrt(rx * rx + ry * ry + rz * rz) / 2;
         double c = Math.cos(half);

@@ -32,8 +32,9 @@ public final class StillPose {
     public record Worn(Orientation alignment, double gravity, double[] bias) {
 
         /**
-         * The same sensor, its forward told by a lean. @param lean angular rate while leaning forward, three long, of any unit. Not
-         * modified.
+         * The same sensor, its forward told by a lean.
+         *
+         * @param lean angular rate while leaning forward, three long, of any unit. Not modified.
          */
         public Worn leaning(double[] lean) {
             double[] turned = new double[3];
@@ -52,7 +53,12 @@ public final class StillPose {
         }
     }
 
-    /** Begins with no sample. @param name of the sensor, for messages @param rate samples per second [Hz] */
+    /**
+     * Begins with no sample.
+     *
+     * @param name of the sensor, for messages
+     * @param rate samples per second [Hz]
+     */
     public StillPose(String name, double rate) {
         this.name = name;
         this.rate = rate;

@@ -33,7 +33,8 @@ public final class TapTest implements ParametricUnivariateFunction {
      * What a tap shows.
      *
      * @param mount              frequency and damping
-     * @param frequencyDeviation standard deviation of the frequency [Hz] @param dampingDeviation that of the damping ratio
+     * @param frequencyDeviation standard deviation of the frequency [Hz]
+     * @param dampingDeviation that of the damping ratio
      * @param unexplained        rms of what the fit leaves over that of the ringing [1]
      */
     public record Rung(SkinMount mount, double frequencyDeviation, double dampingDeviation, double unexplained) {}
@@ -163,7 +164,10 @@ public final class TapTest implements ParametricUnivariateFunction {
         return new double[] {damped / Math.sqrt(1 - damping * damping), damping};
     }
 
-    /** @param t [s] @param p ln ω, ln ζ, a, b, c */
+    /**
+     * @param t [s]
+     * @param p ln ω, ln ζ, a, b, c
+     */
     @Override
     public double value(double t, double... p) {
         double omega = Math.exp(p[0]);

@@ -41,7 +41,12 @@ public record AbsorbedPower(double[] frequency, double[] density) {
         return between(0, Double.POSITIVE_INFINITY);
     }
 
-    /** Power of the bins from one frequency to another, both included [W]. @param from [Hz] @param to [Hz] */
+    /**
+     * Power of the bins from one frequency to another, both included [W].
+     *
+     * @param from [Hz]
+     * @param to [Hz]
+     */
     public double between(double from, double to) {
         double sum = 0;
         for (int k = 0; k < density.length; k++) {

@@ -68,7 +68,11 @@ public record ApparentMass(double[] frequency, ComplexSeries mass) {
         return best < 0 ? OptionalDouble.empty() : OptionalDouble.of(mass.magnitude(best));
     }
 
-    /** |M| over the sitting mass [1], by frequency, which makes people of different mass comparable. @param sitting [kg], &gt; 0 */
+    /**
+     * |M| over the sitting mass [1], by frequency, which makes people of different mass comparable.
+     *
+     * @param sitting [kg], &gt; 0
+     */
     public double[] normalised(double sitting) {
         if (!(sitting > 0)) {
             throw new IllegalArgumentException("sitting mass must be > 0 kg: " + sitting);

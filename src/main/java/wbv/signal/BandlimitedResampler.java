@@ -90,7 +90,11 @@ public final class BandlimitedResampler implements Snapshot {
         return new BandlimitedResampler(up, new KaiserSinc(up, passband, stopband, attenuation), sink);
     }
 
-    /** Another of the same ratio and filter, which they share, that has heard nothing. @param other takes its outputs */
+    /**
+     * Another of the same ratio and filter, which they share, that has heard nothing.
+     *
+     * @param other takes its outputs
+     */
     public BandlimitedResampler fresh(DoubleConsumer other) {
         return new BandlimitedResampler(this, other);
     }

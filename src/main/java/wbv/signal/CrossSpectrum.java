@@ -17,7 +17,11 @@ public final class CrossSpectrum {
     private final Segments input;
     private final Pair[] pairs;
 
-    /** Averages of no segment yet. @param outputs number of outputs, at least 1 */
+    /**
+     * Averages of no segment yet.
+     *
+     * @param outputs number of outputs, at least 1
+     */
     public CrossSpectrum(Segmentation segmentation, Detrend detrend, int outputs) {
         if (outputs < 1) {
             throw new IllegalArgumentException("a cross spectrum needs at least 1 output: " + outputs);
@@ -29,7 +33,12 @@ public final class CrossSpectrum {
         Arrays.setAll(pairs, i -> new Pair(segmentation, detrend));
     }
 
-    /** Takes the next sample of the input and of a single output; NaN is missing. @param x in its own unit @param y in its own unit */
+    /**
+     * Takes the next sample of the input and of a single output; NaN is missing.
+     *
+     * @param x in its own unit
+     * @param y in its own unit
+     */
     public void accept(double x, double y) {
         if (pairs.length != 1) {
             throw new IllegalArgumentException("one output sample for " + pairs.length + " outputs");

@@ -16,7 +16,11 @@ public final class Envelope {
     private int bucket;
     private int inBucket;
 
-    /** An envelope of no sample yet. @param mostBuckets buckets kept at most, even, at least 2 */
+    /**
+     * An envelope of no sample yet.
+     *
+     * @param mostBuckets buckets kept at most, even, at least 2
+     */
     public Envelope(int mostBuckets) {
         if (mostBuckets < 2 || mostBuckets % 2 != 0) {
             throw new IllegalArgumentException("number of buckets must be even and >= 2: " + mostBuckets);

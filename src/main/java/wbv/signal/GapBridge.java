@@ -25,7 +25,11 @@ public final class GapBridge implements Serializable, Snapshot {
     private int place;
     private long bridged;
 
-    /** A bridge by curves alone. @param longest missing samples in a row that are bridged, at least 1 */
+    /**
+     * A bridge by curves alone.
+     *
+     * @param longest missing samples in a row that are bridged, at least 1
+     */
     public GapBridge(int longest) {
         this(longest, longest);
     }
@@ -95,7 +99,11 @@ public final class GapBridge implements Serializable, Snapshot {
         return out;
     }
 
-    /** A run of missing samples ended two samples ago: fills it if it is short. @param present samples behind it, 1 or 2 */
+    /**
+     * A run of missing samples ended two samples ago: fills it if it is short.
+     *
+     * @param present samples behind it, 1 or 2
+     */
     private void bridge(int present) {
         int gap = 1;
         while (gap <= longest && Double.isNaN(ring[at(2 + gap)])) {

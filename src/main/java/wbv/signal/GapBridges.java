@@ -8,7 +8,11 @@ public final class GapBridges {
     private final GapBridge[] bridges;
     private int untilFirst;
 
-    /** Bridges by curves alone. @param longest missing samples in a row that are bridged, at least 1 */
+    /**
+     * Bridges by curves alone.
+     *
+     * @param longest missing samples in a row that are bridged, at least 1
+     */
     public GapBridges(int channels, int longest) {
         bridges = new GapBridge[channels];
         Arrays.setAll(bridges, i -> new GapBridge(longest));

@@ -64,7 +64,12 @@ public final class MorletTransform {
         this.cycles = cycles;
     }
 
-    /** A series of so many frequencies to an octave from one to another [Hz]. @param from [Hz] @param to [Hz] */
+    /**
+     * A series of so many frequencies to an octave from one to another [Hz].
+     *
+     * @param from [Hz]
+     * @param to [Hz]
+     */
     public static double[] octaves(double from, double to, int perOctave) {
         if (!(from > 0 && to > from) || perOctave < 1) {
             throw new IllegalArgumentException("frequencies must rise from above 0 by at least 1 to an octave: " + from + " to "

@@ -13,7 +13,11 @@ public final class RealDft {
     private final double[] cosine;
     private final double[] sine;
 
-    /** Works out the twiddle factors. @param length points N, even, with no prime factor above 5 */
+    /**
+     * Works out the twiddle factors.
+     *
+     * @param length points N, even, with no prime factor above 5
+     */
     public RealDft(int length) {
         if (length != fitting(length)) {
             throw new IllegalArgumentException("length of a transform must be even with factors 2, 3 and 5 only: " + length);
@@ -28,7 +32,11 @@ public final class RealDft {
         }
     }
 
-    /** The greatest length that fits, not above one given. @param most at least 2 */
+    /**
+     * The greatest length that fits, not above one given.
+     *
+     * @param most at least 2
+     */
     public static int fitting(int most) {
         for (int n = most - most % 2; n >= 2; n -= 2) {
             int rest = n;
@@ -44,7 +52,11 @@ public final class RealDft {
         throw new IllegalArgumentException("a transform needs at least 2 points: " + most);
     }
 
-    /** The least length that fits, not below one given. @param least at least 2 */
+    /**
+     * The least length that fits, not below one given.
+     *
+     * @param least at least 2
+     */
     public static int covering(int least) {
         int n = least + least % 2;
         while (fitting(n) != n) {
@@ -140,7 +152,11 @@ public final class RealDft {
         }
     }
 
-    /** Complex transform of half values. @param x consumed */
+    /**
+     * Complex transform of half values.
+     *
+     * @param x consumed
+     */
     private Halves complex(Halves x) {
         Halves from = x;
         Halves to = new Halves(half);

@@ -200,7 +200,11 @@ public final class ResponseMatrix {
         return Arrays.stream(deviation[output][input]).map(sd -> t * sd).toArray();
     }
 
-    /** Half the interval about the phase of an entry of H1, by bin [rad]; π where the modulus may be 0. @param level of confidence */
+    /**
+     * Half the interval about the phase of an entry of H1, by bin [rad]; π where the modulus may be 0.
+     *
+     * @param level of confidence
+     */
     public double[] phaseMargin(int output, int input, double level) {
         double[] margin = margin(output, input, level);
         for (int k = 0; k < margin.length; k++) {

@@ -46,7 +46,11 @@ public record Segmentation(double rate, int length, double overlap) implements S
         return new Segmentation(rate, length, 0.5);
     }
 
-    /** Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go. @param duration [s] */
+    /**
+     * Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go.
+     *
+     * @param duration [s]
+     */
     public static Segmentation lasting(double rate, double duration) {
         if (!(duration > 0) || Double.isInfinite(duration)) {
             throw new IllegalArgumentException("length of a segment must be > 0 s: " + duration);

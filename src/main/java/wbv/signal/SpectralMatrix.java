@@ -24,7 +24,11 @@ public final class SpectralMatrix {
     private long averaged;
     private long skipped;
 
-    /** An average in which all segments weigh the same. @param channels at least 1 */
+    /**
+     * An average in which all segments weigh the same.
+     *
+     * @param channels at least 1
+     */
     public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels) {
         this(segmentation, detrend, channels, 1);
     }

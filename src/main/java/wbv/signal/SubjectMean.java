@@ -26,8 +26,9 @@ public record SubjectMean(double[] frequency, double[] mean, double[] deviation,
     /**
      * The response of one person.
      *
-     * @param frequency by bin, rising in equal steps [Hz] @param modulus as many values, of the curves' unit @param usable which of them
-     *                  are backed by excitation
+     * @param frequency by bin, rising in equal steps [Hz]
+     * @param modulus as many values, of the curves' unit
+     * @param usable which of them are backed by excitation
      */
     public record Curve(double[] frequency, double[] modulus, boolean[] usable) {
 

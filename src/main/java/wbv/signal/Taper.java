@@ -23,7 +23,11 @@ public final class Taper {
         this.power = squares;
     }
 
-    /** Hann's window {@code (1 - cos(2πn/N)) / 2}. @param length points N, at least 4 */
+    /**
+     * Hann's window {@code (1 - cos(2πn/N)) / 2}.
+     *
+     * @param length points N, at least 4
+     */
     public static Taper hann(int length) {
         if (length < 4) {
             throw new IllegalArgumentException("a window needs at least 4 points: " + length);
@@ -64,7 +68,11 @@ public final class Taper {
         return product / power;
     }
 
-    /** Multiplies a segment by the window. @param segment N long, of any unit. Modified. */
+    /**
+     * Multiplies a segment by the window.
+     *
+     * @param segment N long, of any unit. Modified.
+     */
     public void apply(double[] segment) {
         for (int n = 0; n < weights.length; n++) {
             segment[n] *= weights[n];

@@ -49,7 +49,11 @@ public record ThirdOctaves(int first, double[] rms) {
         return new ThirdOctaves(first, rms);
     }
 
-    /** Centre of a band [Hz], exact. @param band counted from the first */
+    /**
+     * Centre of a band [Hz], exact.
+     *
+     * @param band counted from the first
+     */
     public double centre(int band) {
         return Math.pow(10, (first + band) / 10.0);
     }
@@ -63,7 +67,11 @@ public record ThirdOctaves(int first, double[] rms) {
         return centres;
     }
 
-    /** What a band is called [Hz]: 3.15 for 3.1623. @param band counted from the first */
+    /**
+     * What a band is called [Hz]: 3.15 for 3.1623.
+     *
+     * @param band counted from the first
+     */
     public double nominal(int band) {
         int n = first + band;
         int decade = Math.floorDiv(n, 10);

@@ -14,13 +14,22 @@ public final class Upsampler {
     private double[] block = new double[0];
     private int filled;
 
-    /** An upsampler that has taken nothing yet. @param factor outputs per input, at least 1 */
+    /**
+     * An upsampler that has taken nothing yet.
+     *
+     * @param factor outputs per input, at least 1
+     */
     public Upsampler(int factor) {
         this.factor = factor;
         this.resampler = new BandlimitedResampler(factor, 1, value -> block[filled++] = value);
     }
 
-    /** The smallest factor that brings a rate to at least another. @param rate [Hz] @param wanted [Hz] */
+    /**
+     * The smallest factor that brings a rate to at least another.
+     *
+     * @param rate [Hz]
+     * @param wanted [Hz]
+     */
     public static Upsampler reaching(double rate, double wanted) {
         if (!(rate > 0) || !(wanted > 0)) {
             throw new IllegalArgumentException("rates must be > 0 Hz: " + rate + " and " + wanted);

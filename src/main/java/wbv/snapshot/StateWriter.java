@@ -62,7 +62,11 @@ public final class StateWriter {
         put(values, 0, values.length);
     }
 
-    /** Those of them from an index to before another. @param values as long as it is, of any unit. Not modified. */
+    /**
+     * Those of them from an index to before another.
+     *
+     * @param values as long as it is, of any unit. Not modified.
+     */
     public void put(double[] values, int from, int to) {
         reserve((to - from) * Double.BYTES);
         for (int i = from; i < to; i++) {

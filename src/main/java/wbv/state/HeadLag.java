@@ -72,7 +72,8 @@ public final class HeadLag implements Serializable {
     /**
      * Has met no jolt yet.
      *
-     * @param rate     of the samples [Hz], 20 to 100 000 @param threshold surge of a jolt [m/s²], such as that of {@link Thresholds}
+     * @param rate     of the samples [Hz], 20 to 100 000
+     * @param threshold surge of a jolt [m/s²], such as that of {@link Thresholds}
      * @param halfLife time after which a jolt counts half [s]; infinite to forget none
      */
     public HeadLag(double rate, double threshold, double halfLife) {

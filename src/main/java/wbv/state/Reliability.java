@@ -13,7 +13,13 @@ public final class Reliability {
 
     private record Said(double probability, boolean came) {}
 
-    /** A tenth of the range of probabilities. @param said mean probability @param came share that came @param count in it */
+    /**
+     * A tenth of the range of probabilities.
+     *
+     * @param said mean probability
+     * @param came share that came
+     * @param count in it
+     */
     public record Bin(double said, double came, int count) {}
 
     /** Takes a probability that was said, and whether it came so; NaN is left out. */

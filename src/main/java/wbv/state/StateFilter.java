@@ -76,12 +76,20 @@ public final class StateFilter implements Serializable, Snapshot {
         }
     }
 
-    /** Probabilities of the chain's states after the last row. @param into probabilities, K long. Modified. */
+    /**
+     * Probabilities of the chain's states after the last row.
+     *
+     * @param into probabilities, K long. Modified.
+     */
     public void probabilities(double[] into) {
         filter.probabilities(into);
     }
 
-    /** Probabilities of the named states after the last row. @param into probabilities, one for each {@link MotionState}. Modified. */
+    /**
+     * Probabilities of the named states after the last row.
+     *
+     * @param into probabilities, one for each {@link MotionState}. Modified.
+     */
     public void byName(double[] into) {
         filter.probabilities(byState);
         model.byName(byState, into);

@@ -19,8 +19,9 @@ import wbv.recording.DataFault;
  * with the columns {@code episode}, {@code jolt}, {@code seat_jerk_m_per_s3} and {@code head_jerk_m_per_s3}.
  *
  * @param activities what was done to the sitter, one for each sample
- * @param states   one for each sample @param seatJerk by sample, how the seat really jerked [m/s³]. Not copied. @param headJerk the head,
- *                 likewise
+ * @param states   one for each sample
+ * @param seatJerk by sample, how the seat really jerked [m/s³]. Not copied.
+ * @param headJerk the head, likewise
  */
 public record TrueStates(List<Activity> activities, List<MotionState> states, double[] seatJerk, double[] headJerk) {
 
@@ -98,7 +99,11 @@ public record TrueStates(List<Activity> activities, List<MotionState> states, do
         }
     }
 
-    /** The states that a track says, against these. @throws DataFault if the lengths differ */
+    /**
+     * The states that a track says, against these.
+     *
+     * @throws DataFault if the lengths differ
+     */
     public Confusion against(StateTrack track, boolean live) {
         require(track);
         Confusion confusion = new Confusion();

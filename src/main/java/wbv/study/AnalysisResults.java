@@ -95,7 +95,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /**
      * Motion states as the shipped model tells them.
      *
-     * @param seconds   by state @param untold_s time that is unlike what the model learned from
+     * @param seconds   by state
+     * @param untold_s time that is unlike what the model learned from
      * @param agreement share of the told samples whose state is what the thresholds say of the sample alone
      */
     public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) {}

@@ -31,8 +31,12 @@ import wbv.signal.Segmentation;
  * <p>The transmissibility is measured (H1), and that of the mass on spring and damper which moves as the seat does, simulated from the
  * floor over the whole recording. Friction damps the more, the less the seat moves: numbers hold for the level that was ridden.
  *
- * @param format     always {@code wbv-seat-test} @param version of the form, 1 @param provenance what made it
- * @param floor      channel @param seat channel @param seconds of the recording
+ * @param format     always {@code wbv-seat-test}
+ * @param version of the form, 1
+ * @param provenance what made it
+ * @param floor      channel
+ * @param seat channel
+ * @param seconds of the recording
  * @param seat_value SEAT by r.m.s., Wk both [1]
  * @param measured   highest transmissibility within the band that was shaken; empty where it stands at its end
  * @param fitted     the mass on spring and damper; empty where the seat does not move as one
@@ -53,7 +57,13 @@ public record DampingTest(String format, int version, Map<String, String> proven
     private static final double BIAS = 0.02;
     private static final double LEVEL = 0.95;
 
-    /** The peak. @param resonance_hz where @param transmissibility there [1] @param margin half the band [1] that holds it with 95 % */
+    /**
+     * The peak.
+     *
+     * @param resonance_hz where
+     * @param transmissibility there [1]
+     * @param margin half the band [1] that holds it with 95 %
+     */
     public record Measured(double resonance_hz, double transmissibility, double margin) {}
 
     /**

@@ -66,11 +66,21 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
     /** Comfort: factors k are in the totals, not in the levels. */
     public record Comforts(double total_m_s2, String reaction, Map<String, Double> points_m_s2, Map<String, Double> levels) {}
 
-    /** ISO 2631-5. @param days_a_year number of days with this dose @param risks by sex */
+    /**
+     * ISO 2631-5.
+     *
+     * @param days_a_year number of days with this dose
+     * @param risks by sex
+     */
     public record Spine(double daily_dose_m_s2, int from_age, int years, double days_a_year, boolean indicative,
             Map<String, Risk> risks) {}
 
-    /** Daily stress Sd, stress variable R and probability of injury. @param stress_mpa Sd [MPa] @param r R [1] */
+    /**
+     * Daily stress Sd, stress variable R and probability of injury.
+     *
+     * @param stress_mpa Sd [MPa]
+     * @param r R [1]
+     */
     public record Risk(double stress_mpa, double r, double probability) {}
 
     /** Something to know. */

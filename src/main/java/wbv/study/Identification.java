@@ -35,7 +35,11 @@ public record Identification(String recording, List<String> inputs, String outpu
     /** Samples in the place of one for instruments: what a straight line misses of 15 Hz at 60 Hz falls from 19 % to 1 %. */
     private static final int CLOSER = 4;
 
-    /** A number of poles that was tried. @param schwarz Schwarz's criterion [1], the lower the better */
+    /**
+     * A number of poles that was tried.
+     *
+     * @param schwarz Schwarz's criterion [1], the lower the better
+     */
     public record Tried(int poles, double schwarz) {}
 
     /** A mode and where it lies with one standard deviation. */

@@ -22,7 +22,11 @@ public record RemovalVerdict(String channel, boolean tried, boolean holds, Strin
     /** More than half unexplained is no prediction. */
     static final double HALF = 0.5;
 
-    /** The verdict on one channel. @param all checks of all channels */
+    /**
+     * The verdict on one channel.
+     *
+     * @param all checks of all channels
+     */
     public static RemovalVerdict of(Channel channel, List<RemovalCheck> all) {
         List<RemovalCheck> own = all.stream().filter(check -> check.channel().equals(channel)).toList();
         if (own.isEmpty()) {
@@ -45,7 +49,11 @@ public record RemovalVerdict(String channel, boolean tried, boolean holds, Strin
                 own.stream().mapToDouble(RemovalCheck::error).max().orElseThrow());
     }
 
-    /** In one sentence for each channel. @param recordings held back */
+    /**
+     * In one sentence for each channel.
+     *
+     * @param recordings held back
+     */
     public static String sentence(List<RemovalVerdict> all, int recordings) {
         List<String> said = new ArrayList<>();
         for (RemovalVerdict each : all) {

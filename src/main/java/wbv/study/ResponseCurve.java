@@ -24,8 +24,10 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         Optional<ComplexSeries> model, double plate, double level) {
 
     /**
-     * How a model and a response differ where it is usable. @param relative rms of the difference over rms @param inside share of it within
-     * the band
+     * How a model and a response differ where it is usable.
+     *
+     * @param relative rms of the difference over rms
+     * @param inside share of it within the band
      */
     public record Misfit(double relative, double inside) {}
 
@@ -164,7 +166,11 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return new double[] {low, high};
     }
 
-    /** Median of an array over the usable frequencies, in its unit; NaN where none is. @param values by bin, of any unit. Not modified. */
+    /**
+     * Median of an array over the usable frequencies, in its unit; NaN where none is.
+     *
+     * @param values by bin, of any unit. Not modified.
+     */
     public double typical(double[] values) {
         double[] kept = java.util.stream.IntStream.range(0, values.length).filter(k -> usable()[k]).mapToDouble(k -> values[k])
                 .sorted().toArray();

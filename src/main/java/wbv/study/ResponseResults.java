@@ -63,7 +63,12 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
         }
     }
 
-    /** A complex curve. @param modulus by bin, in the unit of the response @param phase_rad by bin */
+    /**
+     * A complex curve.
+     *
+     * @param modulus by bin, in the unit of the response
+     * @param phase_rad by bin
+     */
     public record Polar(double[] modulus, double[] phase_rad) {
         static Polar of(ComplexSeries h) {
             return new Polar(h.magnitudes(), h.phases());

@@ -17,7 +17,11 @@ public final class Waveform {
     private int size;
     private int inLast;
 
-    /** A waveform of no sample yet. @param most values kept at most, even, at least 2 */
+    /**
+     * A waveform of no sample yet.
+     *
+     * @param most values kept at most, even, at least 2
+     */
     public Waveform(int most) {
         if (most < 2 || most % 2 != 0) {
             throw new IllegalArgumentException("number of values must be even and >= 2: " + most);

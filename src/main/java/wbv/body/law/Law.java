@@ -33,7 +33,8 @@ public sealed interface Law permits
     /**
      * Force over displacement at a frequency, for a linear law.
      *
-     * @param omega angular frequency [rad/s] @param out two long: the real, then the imaginary part [N/m]. Modified.
+     * @param omega angular frequency [rad/s]
+     * @param out two long: the real, then the imaginary part [N/m]. Modified.
      * @throws IllegalStateException if the law is not linear
      */
     default void dynamicStiffness(double omega, double[] out) {
@@ -70,8 +71,11 @@ public sealed interface Law permits
     /**
      * The force along a given motion of the link, by sample [N]; nothing at the first.
      *
-     * @param displacement by sample [m]. Not modified. @param velocity by sample [m/s]. Not modified.
-     * @param stiffness of the link [N/m] @param damping of the link [N s/m] @param step time between samples [s]
+     * @param displacement by sample [m]. Not modified.
+     * @param velocity by sample [m/s]. Not modified.
+     * @param stiffness of the link [N/m]
+     * @param damping of the link [N s/m]
+     * @param step time between samples [s]
      * @param modulation by sample, in the modulator's unit; empty where nothing modulates. Not modified.
      */
     default double[] series(double[] displacement, double[] velocity, double stiffness, double damping, double step, double[] modulation) {

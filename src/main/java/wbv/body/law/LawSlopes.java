@@ -51,7 +51,13 @@ public final class LawSlopes {
 
     /** Fills in the motion of a law some time before a sample. */
     public interface Past {
-        /** Sets a motion to what it was. @param law index of the law that asks @param index of the sample @param ago time before it [s] */
+        /**
+         * Sets a motion to what it was.
+         *
+         * @param law index of the law that asks
+         * @param index of the sample
+         * @param ago time before it [s]
+         */
         void recall(LinkMotion motion, int law, int index, double ago);
     }
 
@@ -115,7 +121,12 @@ public final class LawSlopes {
         return higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
     }
 
-    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param past for the late motion */
+    /**
+     * Fills {@link #force} and {@link #memory} at a motion.
+     *
+     * @param m restored on return.
+     * @param past for the late motion
+     */
     public void take(LinkMotion m, Past past, int slot, int index) {
         double r = m.displacement;
         m.displacement = r + DISPLACEMENT;

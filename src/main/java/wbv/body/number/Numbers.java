@@ -28,7 +28,11 @@ public final class Numbers {
                 .mapToDouble(c -> (Double) read(record, c)).toArray();
     }
 
-    /** The same record with other numbers. @param values one for each numeric component, in its own unit. Not modified. */
+    /**
+     * The same record with other numbers.
+     *
+     * @param values one for each numeric component, in its own unit. Not modified.
+     */
     public static <T extends Record> T with(T record, double[] values) {
         RecordComponent[] components = record.getClass().getRecordComponents();
         Class<?>[] types = new Class<?>[components.length];

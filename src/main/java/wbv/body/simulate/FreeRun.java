@@ -214,7 +214,12 @@ public final class FreeRun {
         return java.util.Arrays.stream(series).map(each -> new double[each.length][PARTS + 1]).toArray(double[][][]::new);
     }
 
-    /** A straight line over a step into its parts. @param series nothing where empty @param out Modified. */
+    /**
+     * A straight line over a step into its parts.
+     *
+     * @param series nothing where empty
+     * @param out Modified.
+     */
     private static void between(double[] series, int j, double[] out) {
         for (int k = 0; k <= PARTS && series.length > 0; k++) {
             out[k] = series[j] + (series[j + 1] - series[j]) * k / PARTS;
@@ -273,7 +278,11 @@ public final class FreeRun {
             begun = new double[m][forceSlope.length];
         }
 
-        /** A step, in parts where a force jumps in it. @param since time at which the run's own begins [s] */
+        /**
+         * A step, in parts where a force jumps in it.
+         *
+         * @param since time at which the run's own begins [s]
+         */
         void go(double[][] acceleration, double[][] bodyForce, double[][] modulation, int j, double since) {
             System.arraycopy(last, 0, before, 0, last.length);
             run.modulation = modulation;
@@ -381,7 +390,10 @@ public final class FreeRun {
         /**
          * Puts the impulse of a step's parts to its two ends, as near to each as it was.
          *
-         * @param parts with what they have had put to them @param begun value at the start @param ended at the end @param out Modified.
+         * @param parts with what they have had put to them
+         * @param begun value at the start
+         * @param ended at the end
+         * @param out Modified.
          */
         private void share(double[] parts, double begun, double ended, double[] out, int j) {
             double first = (parts[0] - begun / 2) / PARTS;

@@ -126,7 +126,8 @@ public final class Simulator {
      * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by
      * output, in its own unit.
      *
-     * @param axis along which @param as as which; the same for what it did
+     * @param axis along which
+     * @param as as which; the same for what it did
      */
     public double[][] ofAxis(Assembly assembly, int axis, int as) {
         return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as)))

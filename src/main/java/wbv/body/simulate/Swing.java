@@ -10,7 +10,11 @@ public final class Swing {
 
     private Swing() {}
 
-    /** Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it. @param omega [rad/s] */
+    /**
+     * Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it.
+     *
+     * @param omega [rad/s]
+     */
     static double passed(double omega) {
         double u = Math.pow(omega / CORNER, 8);
         return u / (1 + u);

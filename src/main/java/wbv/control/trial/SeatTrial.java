@@ -58,7 +58,11 @@ public final class SeatTrial {
         void hear(double time, double floor, double seat, double deflection, double weightedSeat, double weightedFloor);
     }
 
-    /** A ride with a controller that knows so much. @param tuning in the unit of the family */
+    /**
+     * A ride with a controller that knows so much.
+     *
+     * @param tuning in the unit of the family
+     */
     public TrialResult run(Maker maker, ControllerFamily family, Knowledge knowledge, double tuning) {
         return run(maker, family, knowledge, tuning, Listener.NONE);
     }
@@ -82,7 +86,11 @@ public final class SeatTrial {
         return new Run(family.controller(maker, tuning, source), source, Optional.of(source), wrong).play(Listener.NONE);
     }
 
-    /** Lets an estimator hear a ride on a passive seat. @return factor on the sitter's stiffness at its end */
+    /**
+     * Lets an estimator hear a ride on a passive seat.
+     *
+     * @return factor on the sitter's stiffness at its end
+     */
     double calibrate(FollowedSitter reading) {
         Run run = new Run(new PassiveSeat(hardware, MILD), reading, Optional.empty(), 1);
         run.listens = true;

@@ -68,7 +68,11 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return bands.rms();
     }
 
-    /** Variance of each part of a line of {@link Window#spectrum} at a frequency [N²]. @param frequency [Hz] */
+    /**
+     * Variance of each part of a line of {@link Window#spectrum} at a frequency [N²].
+     *
+     * @param frequency [Hz]
+     */
     public double power(double frequency) {
         return bands.power(frequency);
     }

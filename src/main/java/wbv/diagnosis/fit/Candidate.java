@@ -28,7 +28,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         added = List.copyOf(added);
     }
 
-    /** The assembly at coordinates. @param x coordinates [1], one a knob. Not modified. */
+    /**
+     * The assembly at coordinates.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Assembly at(double[] x) {
         double[] values = template.values();
         for (int i = 0; i < x.length; i++) {
@@ -79,7 +83,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
     }
 
-    /** The hypothesis that was added last. @throws IndexOutOfBoundsException if none was */
+    /**
+     * The hypothesis that was added last.
+     *
+     * @throws IndexOutOfBoundsException if none was
+     */
     public Hypothesis last() {
         return added.get(added.size() - 1);
     }
@@ -113,7 +121,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return out;
     }
 
-    /** Positions of a hypothesis' numbers among the knobs. @param hypothesis one that was added */
+    /**
+     * Positions of a hypothesis' numbers among the knobs.
+     *
+     * @param hypothesis one that was added
+     */
     public int[] positions(Hypothesis hypothesis) {
         int from = knobs.size();
         for (int i = added.size() - 1; i >= 0; i--) {

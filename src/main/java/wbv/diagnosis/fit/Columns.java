@@ -19,7 +19,11 @@ public final class Columns {
     private final int[] from;
     private final int[] to;
 
-    /** Vectors to be multiplied. @param vectors by vector, of the same length each, in any unit. Not copied, not modified. */
+    /**
+     * Vectors to be multiplied.
+     *
+     * @param vectors by vector, of the same length each, in any unit. Not copied, not modified.
+     */
     public Columns(double[][] vectors) {
         this(vectors, Arrays.stream(vectors).mapToInt(Columns::first).toArray(),
                 Arrays.stream(vectors).mapToInt(Columns::afterLast).toArray());
@@ -47,7 +51,11 @@ public final class Columns {
         return i;
     }
 
-    /** Some of them. @param which indices */
+    /**
+     * Some of them.
+     *
+     * @param which indices
+     */
     Columns only(int[] which) {
         return new Columns(IntStream.of(which).mapToObj(i -> vectors[i]).toArray(double[][]::new),
                 IntStream.of(which).map(i -> from[i]).toArray(), IntStream.of(which).map(i -> to[i]).toArray());
@@ -74,7 +82,11 @@ public final class Columns {
         return out;
     }
 
-    /** Products with each of some others, in their units multiplied: by other and by vector. @param others as long */
+    /**
+     * Products with each of some others, in their units multiplied: by other and by vector.
+     *
+     * @param others as long
+     */
     public double[][] products(Columns others) {
         return products(others, false);
     }
@@ -150,7 +162,11 @@ public final class Columns {
         }
     }
 
-    /** Products with another vector: by vector, in their units multiplied. @param other as long as each, in any unit. Not modified. */
+    /**
+     * Products with another vector: by vector, in their units multiplied.
+     *
+     * @param other as long as each, in any unit. Not modified.
+     */
     public double[] products(double[] other) {
         double[] out = new double[count()];
         int i = 0;
@@ -199,7 +215,12 @@ public final class Columns {
         out[i + 1] = b0 + b1 + b2 + b3;
     }
 
-    /** Subtracts multiples of them. @param factors those that are 0 take nothing @param target as long. Modified. */
+    /**
+     * Subtracts multiples of them.
+     *
+     * @param factors those that are 0 take nothing
+     * @param target as long. Modified.
+     */
     void subtract(double[] factors, double[] target) {
         int[] some = IntStream.range(0, factors.length).filter(i -> factors[i] != 0).toArray();
         int i = 0;

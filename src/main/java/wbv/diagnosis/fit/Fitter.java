@@ -42,7 +42,11 @@ public final class Fitter {
         this(evidence, evidence.excitation());
     }
 
-    /** A fitter in which nothing was simulated yet. @param excitation all of the input that the windows to be looked at need */
+    /**
+     * A fitter in which nothing was simulated yet.
+     *
+     * @param excitation all of the input that the windows to be looked at need
+     */
     public Fitter(Evidence evidence, Excitation excitation) {
         this(evidence, excitation, Optional.empty());
     }
@@ -150,7 +154,11 @@ public final class Fitter {
         }
     }
 
-    /** What a residual is seen through. @param x where it was made: coordinates [1], one a knob. Not a copy */
+    /**
+     * What a residual is seen through.
+     *
+     * @param x where it was made: coordinates [1], one a knob. Not a copy
+     */
     public record Frame(Whitening whitening, Nuisances nuisances, double[] x) {}
 
     /**
@@ -186,17 +194,29 @@ public final class Fitter {
         return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
     }
 
-    /** The residual at x, without derivatives. @param x coordinates [1], one a knob, not copied, not modified */
+    /**
+     * The residual at x, without derivatives.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State look(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, Sensitivities.NONE, NO_SLOPES, Optional.empty());
     }
 
-    /** The residual at x in the frame of the model at x. @param x coordinates [1], one a knob, not copied, not modified */
+    /**
+     * The residual at x in the frame of the model at x.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State look(Candidate candidate, double[] x, Window window) {
         return look(candidate, x, frame(candidate, x, window));
     }
 
-    /** The residual at x with its derivatives. @param x coordinates [1], one a knob, not copied, not modified */
+    /**
+     * The residual at x with its derivatives.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, Sensitivities.ALL, NO_SLOPES, Optional.empty());
     }
@@ -207,8 +227,9 @@ public final class Fitter {
      * did, until that gains nothing more. What goes beyond small motions hardly moves with a step: it stays what it was where the fit
      * began, and is found anew where it ends.
      *
-     * @param start coordinates [1], one a knob. Not modified. @param most iterations at most @param tolerance relative gain below which a
-     *              fit ends
+     * @param start coordinates [1], one a knob. Not modified.
+     * @param most iterations at most
+     * @param tolerance relative gain below which a fit ends
      */
     public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         return fit(candidate, start, frame, NO_SLOPES, most, tolerance);
@@ -244,7 +265,8 @@ public final class Fitter {
     /**
      * The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there.
      *
-     * @param start coordinates [1], one a knob. Not modified. @param tolerance relative gain below which a fit ends
+     * @param start coordinates [1], one a knob. Not modified.
+     * @param tolerance relative gain below which a fit ends
      */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, Sensitivities.ALL, Optional.empty());
@@ -254,7 +276,10 @@ public final class Fitter {
                 .orElseGet(() -> State.failed(candidate, start, frame));
     }
 
-    /** @param first with derivatives @param exact whether all of these were worked out there */
+    /**
+     * @param first with derivatives
+     * @param exact whether all of these were worked out there
+     */
     private State descended(State first, boolean exact, Optional<Simulator.Bends> bends, int most, double tolerance) {
         State state = first;
         boolean fresh = exact;

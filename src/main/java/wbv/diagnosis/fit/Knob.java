@@ -44,12 +44,22 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         }
     }
 
-    /** Multiplicative. @param low @param high as values, of the sign of the reference */
+    /**
+     * Multiplicative.
+     *
+     * @param low
+     * @param high as values, of the sign of the reference
+     */
     static Knob factor(String name, Slot slot, double reference, double low, double high, double deviation) {
         return new Knob(name, slot, reference, 0, Math.log(low / reference), Math.log(high / reference), deviation);
     }
 
-    /** Additive. @param low @param high as values */
+    /**
+     * Additive.
+     *
+     * @param low
+     * @param high as values
+     */
     static Knob sum(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
         return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
     }
@@ -70,18 +80,30 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return name.substring(name.lastIndexOf(' ') + 1);
     }
 
-    /** The number at a coordinate, in its own unit. @param x [1] */
+    /**
+     * The number at a coordinate, in its own unit.
+     *
+     * @param x [1]
+     */
     public double value(double x) {
         return unit == 0 ? reference * Math.exp(x) : reference + unit * x;
     }
 
-    /** The coordinate [1] of a value, kept within bounds. @param value in the unit of the number */
+    /**
+     * The coordinate [1] of a value, kept within bounds.
+     *
+     * @param value in the unit of the number
+     */
     public double coordinate(double value) {
         double x = unit == 0 ? Math.log(value / reference) : (value - reference) / unit;
         return Math.max(low, Math.min(high, x));
     }
 
-    /** d value / d x, in the unit of the number. @param x coordinate [1] */
+    /**
+     * d value / d x, in the unit of the number.
+     *
+     * @param x coordinate [1]
+     */
     public double slope(double x) {
         return unit == 0 ? reference * Math.exp(x) : unit;
     }

@@ -135,19 +135,31 @@ public final class Motion {
         return velocity[link];
     }
 
-    /** Root mean square displacement of a link up to a sample [m]. @param x by sample [m]. Not modified. */
+    /**
+     * Root mean square displacement of a link up to a sample [m].
+     *
+     * @param x by sample [m]. Not modified.
+     */
     public static double rms(double[] x, int to) {
         return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));
     }
 
-    /** The values up to a sample, as many, in their unit, least first. A new array. @param x series of any unit. Not modified. */
+    /**
+     * The values up to a sample, as many, in their unit, least first. A new array.
+     *
+     * @param x series of any unit. Not modified.
+     */
     public static double[] sorted(double[] x, int to) {
         double[] sorted = Arrays.copyOf(x, to);
         Arrays.sort(sorted);
         return sorted;
     }
 
-    /** A quantile, in the unit of the values. @param sorted as many values as there are, of any unit, least first. Not modified. */
+    /**
+     * A quantile, in the unit of the values.
+     *
+     * @param sorted as many values as there are, of any unit, least first. Not modified.
+     */
     public static double quantile(double[] sorted, double share) {
         int last = sorted.length - 1;
         return sorted[(int) Math.min(last, Math.round(share * last))];

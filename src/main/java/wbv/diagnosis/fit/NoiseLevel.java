@@ -64,7 +64,11 @@ public final class NoiseLevel {
         return series.length < 2 ? OptionalDouble.empty() : new Unshared(series, LOW, HIGH, BAND).level();
     }
 
-    /** Standard deviation of a sample, if its noise is white. @param x gaps are bridged. Not modified. */
+    /**
+     * Standard deviation of a sample, if its noise is white.
+     *
+     * @param x gaps are bridged. Not modified.
+     */
     double of(double[] x) {
         return between(Excitation.bridged(x), LOW, HIGH, BLOCK);
     }

@@ -18,7 +18,11 @@ public final class Normal {
     private final double[] gradient;
     private final double[][] curvature;
 
-    /** The equations at a state. @param state with its derivatives */
+    /**
+     * The equations at a state.
+     *
+     * @param state with its derivatives
+     */
     public Normal(Fitter.State state) {
         this(state, new Projection(state));
     }

@@ -59,7 +59,8 @@ public final class Nuisances {
      * The same, with errors of ways that together are no larger than what is known of them: a way that has to be another altogether is not
      * this law's.
      *
-     * @param residual that they are to explain. Not modified. @param off errors that are not asked, see {@link #off}
+     * @param residual that they are to explain. Not modified.
+     * @param off errors that are not asked, see {@link #off}
      */
     Nuisances bounded(double[] residual, boolean[] off) {
         long ways = errors.stream().filter(error -> error.kind() == SmallError.Kind.WAY).count();
@@ -113,7 +114,8 @@ public final class Nuisances {
      * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault,
      * which takes any share of what all have in common, nothing but this tells how late the input is.
      *
-     * @param sizes in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
+     * @param sizes in standard deviations. Not modified.
+     * @param off errors that are not asked, see {@link #off}
      */
     double[] likeliest(double[] sizes, boolean[] off) {
         int[] delayed = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isDelay() && !errors.get(i).isInput()).toArray();
@@ -140,7 +142,8 @@ public final class Nuisances {
     /**
      * How late the sensors are for whose delays the errors are exact.
      *
-     * @param omega by line of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}. Neither is modified.
+     * @param omega by line of what is simulated [rad/s]
+     * @param off errors that are not asked, see {@link #off}. Neither is modified.
      */
     public Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
@@ -158,7 +161,11 @@ public final class Nuisances {
         return new Lateness(factors);
     }
 
-    /** What delays make of spectra. @param factors by output, complex; empty for one that is not late */
+    /**
+     * What delays make of spectra.
+     *
+     * @param factors by output, complex; empty for one that is not late
+     */
     public record Lateness(double[][] factors) {
 
         /** The outputs of a run, spectra by output in its unit: what a sensor's other channels make of it was recorded late already. */
@@ -174,7 +181,11 @@ public final class Nuisances {
             return out;
         }
 
-        /** What late sensors read of it, spectra by output in its unit. @param simulated spectra by output in its unit. Not modified. */
+        /**
+         * What late sensors read of it, spectra by output in its unit.
+         *
+         * @param simulated spectra by output in its unit. Not modified.
+         */
         public double[][] of(double[][] simulated) {
             double[][] out = simulated.clone();
             for (int o = 0; o < out.length; o++) {
@@ -236,7 +247,8 @@ public final class Nuisances {
     /**
      * What sensors with these errors read of something that reaches the outputs: gain and delay change its way too.
      *
-     * @param way spectra at the window's lines, by output. Not modified. @param sizes of the errors in standard deviations
+     * @param way spectra at the window's lines, by output. Not modified.
+     * @param sizes of the errors in standard deviations
      */
     double[][] seen(double[][] way, double[] sizes) {
         double[][] out = way.clone();
@@ -253,7 +265,11 @@ public final class Nuisances {
         return out;
     }
 
-    /** How late an output's own sensor is [s]. @param sizes one an error, in standard deviations [1]. Not modified. */
+    /**
+     * How late an output's own sensor is [s].
+     *
+     * @param sizes one an error, in standard deviations [1]. Not modified.
+     */
     public double delay(int output, double[] sizes) {
         return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
                 .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();
@@ -277,7 +293,12 @@ public final class Nuisances {
         return columns.products(vector);
     }
 
-    /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
+    /**
+     * What the errors make of a residual.
+     *
+     * @param errors in standard deviations
+     * @param square what is left, as a sum of squares
+     */
     record Explained(double[] errors, double square) {}
 
     /**
@@ -309,7 +330,11 @@ public final class Nuisances {
         return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, left)));
     }
 
-    /** Solves for the errors that are not held. @param n Modified. */
+    /**
+     * Solves for the errors that are not held.
+     *
+     * @param n Modified.
+     */
     private void solve(double[] n, double[] products, boolean[] held) {
         int[] free = IntStream.range(0, n.length).filter(i -> !held[i]).toArray();
         DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
@@ -329,7 +354,11 @@ public final class Nuisances {
         }
     }
 
-    /** Frees errors whose bound holds them against their will. @param held Modified. */
+    /**
+     * Frees errors whose bound holds them against their will.
+     *
+     * @param held Modified.
+     */
     private boolean letGo(double[] n, double[] products, boolean[] held, boolean[] off) {
         double[] g = gradient(n, products);
         boolean any = false;
@@ -342,7 +371,11 @@ public final class Nuisances {
         return any;
     }
 
-    /** Dᵀ(r - D n). @param products Dᵀr */
+    /**
+     * Dᵀ(r - D n).
+     *
+     * @param products Dᵀr
+     */
     private double[] gradient(double[] n, double[] products) {
         return IntStream.range(0, n.length).mapToDouble(i -> products[i] - Fitter.dot(gram[i], n)).toArray();
     }

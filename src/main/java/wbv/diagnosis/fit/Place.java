@@ -75,7 +75,11 @@ public record Place(Kind kind, int index) {
         return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
     }
 
-    /** Where a hypothesis acts, by its plain name. @param on what it stands on, or is part of */
+    /**
+     * Where a hypothesis acts, by its plain name.
+     *
+     * @param on what it stands on, or is part of
+     */
     public static Place plain(Hypothesis hypothesis, Candidate on) {
         return of(hypothesis).plain(on.template());
     }

@@ -39,7 +39,11 @@ public final class Projection {
         return Arrays.equals(free, free(other));
     }
 
-    /** Dᵀ v [1], by error that is free. @param vector whitened, as long as the residual. Not modified. */
+    /**
+     * Dᵀ v [1], by error that is free.
+     *
+     * @param vector whitened, as long as the residual. Not modified.
+     */
     public double[] products(double[] vector) {
         return columns.products(vector);
     }
@@ -49,7 +53,11 @@ public final class Projection {
         return columns.products(vectors);
     }
 
-    /** (DᵀD + 1)⁻¹ Dᵀ v [1], by error that is free: how they follow v. @param products of v [1], as long. Not modified. */
+    /**
+     * (DᵀD + 1)⁻¹ Dᵀ v [1], by error that is free: how they follow v.
+     *
+     * @param products of v [1], as long. Not modified.
+     */
     public double[] errors(double[] products) {
         return factor.solve(products);
     }

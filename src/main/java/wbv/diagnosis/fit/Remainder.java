@@ -20,7 +20,12 @@ public final class Remainder {
     private final int place;
     private final Simulator.Response response;
 
-    /** Runs the fitted model once. @param user the model that nothing was added to @param place index of a body, or of a link */
+    /**
+     * Runs the fitted model once.
+     *
+     * @param user the model that nothing was added to
+     * @param place index of a body, or of a link
+     */
     public Remainder(Excitation excitation, Assembly user, Assembly full, boolean onBody, int place) {
         this.excitation = excitation;
         this.user = user;

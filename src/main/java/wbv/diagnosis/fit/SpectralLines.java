@@ -38,7 +38,11 @@ public final class SpectralLines {
         return found.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
-    /** Whether any line stands out as no noise's does. @param residual whitened, by line. Not modified. */
+    /**
+     * Whether any line stands out as no noise's does.
+     *
+     * @param residual whitened, by line. Not modified.
+     */
     public static boolean standOut(double[] residual, Window window) {
         return Arrays.stream(prominence(residual, window)).anyMatch(p -> p > OUTSTANDING);
     }

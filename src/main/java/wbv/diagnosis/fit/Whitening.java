@@ -60,12 +60,16 @@ public final class Whitening {
     /**
      * Noise from one source that reaches all outputs.
      *
-     * @param power    variance of each part of a line, by line. Not modified. @param transfer its way to each output at the window's
-     *                 lines, by output. Not modified.
+     * @param power    variance of each part of a line, by line. Not modified.
+     * @param transfer its way to each output at the window's lines, by output. Not modified.
      */
     record Source(double[] power, double[][] transfer) {
 
-        /** One so strong at every line that nothing is seen along its way. @param noise standard deviation of a sample, by output */
+        /**
+         * One so strong at every line that nothing is seen along its way.
+         *
+         * @param noise standard deviation of a sample, by output
+         */
         static Source deafening(double[] noise, double[][] transfer) {
             double[] power = new double[transfer[0].length / 2];
             for (int line = 0; line < power.length; line++) {
@@ -139,7 +143,11 @@ public final class Whitening {
         return out;
     }
 
-    /** @param a complex @param b complex; nothing where one of both is empty @param at where the products are added. Modified. */
+    /**
+     * @param a complex
+     * @param b complex; nothing where one of both is empty
+     * @param at where the products are added. Modified.
+     */
     private static void addProduct(double[] a, double[] b, int at, double[] out) {
         for (int k = 0; k < Math.min(a.length, b.length); k += 2) {
             out[at + k] += a[k] * b[k] - a[k + 1] * b[k + 1];

@@ -19,7 +19,11 @@ public final class Window {
     private final int lines;
     private final double spacing;
 
-    /** @param start first sample @param most samples at most; a few less are used where the transform wants it @param rate [Hz] */
+    /**
+     * @param start first sample
+     * @param most samples at most; a few less are used where the transform wants it
+     * @param rate [Hz]
+     */
     Window(int start, int most, double rate) {
         this(start, most, rate, LOW);
     }
@@ -77,7 +81,8 @@ public final class Window {
      * The spectrum of a series in this window: white noise of standard deviation s gives lines whose real and imaginary parts have
      * standard deviation s each, in the series' unit, however many samples count.
      *
-     * @param series of the whole recording, of any unit. Not modified. @param valid samples that count; the others are taken as 0
+     * @param series of the whole recording, of any unit. Not modified.
+     * @param valid samples that count; the others are taken as 0
      */
     public double[] spectrum(double[] series, boolean[] valid) {
         double[] x = new double[taper.length];

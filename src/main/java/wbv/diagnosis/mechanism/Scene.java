@@ -80,7 +80,12 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
         return sensor.map(Channel::location).orElse("");
     }
 
-    /** A channel by which a link may go. @param level its range @param levels parts of the range in which it was, each for a while */
+    /**
+     * A channel by which a link may go.
+     *
+     * @param level its range
+     * @param levels parts of the range in which it was, each for a while
+     */
     public record Schedule(Modulator.Level level, int levels) {}
 
     /**

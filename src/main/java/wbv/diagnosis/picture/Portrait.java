@@ -14,7 +14,12 @@ import java.util.List;
  */
 public record Portrait(String title, Scale x, Scale y, List<Trail> trails, String note) {
 
-    /** An axis. @param unit may be empty @param log whether it is logarithmic */
+    /**
+     * An axis.
+     *
+     * @param unit may be empty
+     * @param log whether it is logarithmic
+     */
     public record Scale(String label, String unit, boolean log) {
         static Scale of(String label, String unit) {
             return new Scale(label, unit, false);

@@ -17,10 +17,17 @@ public final class NoiseMetric {
     private final double[] variance;
     private final List<Source> sources = new ArrayList<>();
 
-    /** @param power by line @param way to each output, spectra */
+    /**
+     * @param power by line
+     * @param way to each output, spectra
+     */
     private record Source(double[] power, double[][] way) {}
 
-    /** The metric of the noise that the evidence has found. @param assembly through which it reaches the outputs */
+    /**
+     * The metric of the noise that the evidence has found.
+     *
+     * @param assembly through which it reaches the outputs
+     */
     public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
         double[] omega = from.omega();

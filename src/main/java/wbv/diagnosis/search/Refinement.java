@@ -135,7 +135,11 @@ public final class Refinement {
         return out;
     }
 
-    /** More steps of those that may win yet. @param heat in any order; least cost first on return */
+    /**
+     * More steps of those that may win yet.
+     *
+     * @param heat in any order; least cost first on return
+     */
     private static void goOn(Fitter.State base, List<Trial> heat) {
         if (heat.isEmpty()) {
             return;
@@ -172,7 +176,11 @@ public final class Refinement {
         return explained(base, best.reduced());
     }
 
-    /** Part of a mismatch that is explained, 0 to 1. @param left mean square of the whitened residual with it */
+    /**
+     * Part of a mismatch that is explained, 0 to 1.
+     *
+     * @param left mean square of the whitened residual with it
+     */
     public static double explained(Fitter.State base, double left) {
         return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
     }
@@ -250,7 +258,11 @@ public final class Refinement {
         return polish(fit.candidate(), fit.x());
     }
 
-    /** The same from coordinates at which nothing was simulated yet. @param x coordinates [1], one a knob. Not modified. */
+    /**
+     * The same from coordinates at which nothing was simulated yet.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Fitter.State polish(Candidate candidate, double[] x) {
         Fitter.State once = polishedOnce(candidate, x);
         return polishedOnce(candidate, once.x());

@@ -61,12 +61,20 @@ public final class Screening {
      */
     public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {}
 
-    /** Screens at a fit, modulators worked out where they are needed. @param state a fit with slopes */
+    /**
+     * Screens at a fit, modulators worked out where they are needed.
+     *
+     * @param state a fit with slopes
+     */
     public Screening(Evidence evidence, Fitter.State state, Motion motion) {
         this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
     }
 
-    /** The same with modulators that others share. @param modulators of the model there */
+    /**
+     * The same with modulators that others share.
+     *
+     * @param modulators of the model there
+     */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
         this.modulators = modulators;
         this.evidence = evidence;
@@ -271,7 +279,11 @@ public final class Screening {
         return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
     }
 
-    /** Gain [1] of the best combination of directions that are known. @param strength by direction [1]. Modified. */
+    /**
+     * Gain [1] of the best combination of directions that are known.
+     *
+     * @param strength by direction [1]. Modified.
+     */
     public static double combined(List<Rest> rests, double[] strength) {
         int m = rests.size();
         double[][] a = new double[m][m];

@@ -22,10 +22,18 @@ public sealed interface BodyModel extends Serializable permits OneDegree, Skyhoo
     /** Number of parameters: ln ω and ln ζ of each mode, then what else there is. */
     int parameters();
 
-    /** Writes the parameters at the start into ξ. @param xi ξ in its own units, n long. Modified. */
+    /**
+     * Writes the parameters at the start into ξ.
+     *
+     * @param xi ξ in its own units, n long. Modified.
+     */
     void start(double[] xi);
 
-    /** Takes the parameters of ξ. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * Takes the parameters of ξ.
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     void set(double[] xi);
 
     /**
@@ -38,22 +46,47 @@ public sealed interface BodyModel extends Serializable permits OneDegree, Skyhoo
     /** Transition and gains of a mode over one sampling interval. */
     ModeStep step(int mode);
 
-    /** Output of the body at the motion of ξ [m/s² or rad/s]. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * Output of the body at the motion of ξ [m/s² or rad/s].
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     double output(double[] xi);
 
-    /** ∂y/∂state [1/s]; depends on the parameters alone. @param row [1/s], as long as the motion. Modified. */
+    /**
+     * ∂y/∂state [1/s]; depends on the parameters alone.
+     *
+     * @param row [1/s], as long as the motion. Modified.
+     */
     void outputRow(double[] row);
 
-    /** ∂y/∂parameter, the motion of ξ held, in the output's unit. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * ∂y/∂parameter, the motion of ξ held, in the output's unit.
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     double outputSlope(int parameter, double[] xi);
 
-    /** Whether the parameters of ξ are those of a body. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * Whether the parameters of ξ are those of a body.
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     boolean sane(double[] xi);
 
-    /** The share of the slower mode in the static output, 1 where it is alone. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * The share of the slower mode in the static output, 1 where it is alone.
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     double share(double[] xi);
 
-    /** |H(f)| at the parameters of ξ [1]. @param f [Hz] @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * |H(f)| at the parameters of ξ [1].
+     *
+     * @param f [Hz]
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     double modulus(double f, double[] xi);
 
     /** Length of the motion: two states a mode. */
@@ -98,12 +131,20 @@ public sealed interface BodyModel extends Serializable permits OneDegree, Skyhoo
         }
     }
 
-    /** Natural frequency of a mode [Hz]. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * Natural frequency of a mode [Hz].
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     default double frequency(int mode, double[] xi) {
         return Math.exp(xi[states() + 2 * mode]) / (2 * Math.PI);
     }
 
-    /** Damping ratio of a mode. @param xi ξ in its own units, n long. Not modified. */
+    /**
+     * Damping ratio of a mode.
+     *
+     * @param xi ξ in its own units, n long. Not modified.
+     */
     default double damping(int mode, double[] xi) {
         return Math.exp(xi[states() + 2 * mode + 1]);
     }

@@ -52,7 +52,12 @@ public final class Bounds implements Serializable {
         Arrays.fill(upper, Double.POSITIVE_INFINITY);
     }
 
-    /** {@link #set(int, Attribute, double, double)} for mode 0. @param low in the unit of the attribute @param high likewise */
+    /**
+     * {@link #set(int, Attribute, double, double)} for mode 0.
+     *
+     * @param low in the unit of the attribute
+     * @param high likewise
+     */
     public void set(Attribute attribute, double low, double high) {
         set(0, attribute, low, high);
     }

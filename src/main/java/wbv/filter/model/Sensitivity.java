@@ -28,7 +28,12 @@ public final class Sensitivity implements Serializable, Snapshot {
     private final double[] row;
     private final boolean[] free;
 
-    /** Nothing felt yet. @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
+    /**
+     * Nothing felt yet.
+     *
+     * @param model with slopes; the caller sets and moves it
+     * @param spec rate and noise of the sensors
+     */
     public Sensitivity(BodyModel model, Spec spec) {
         int n = model.parameters();
         this.model = model;

@@ -84,7 +84,11 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
         return new ColumnMap(name, other, channels, patterns);
     }
 
-    /** Reads a map from a JSON file. @throws DataFault if it is none, naming the field */
+    /**
+     * Reads a map from a JSON file.
+     *
+     * @throws DataFault if it is none, naming the field
+     */
     public static ColumnMap read(Path path) throws IOException {
         Json json = Json.read(path);
         json.only("comment", "questions", "time", "channels", "patterns");

@@ -210,7 +210,11 @@ public final class RecordingWriter implements Closeable {
         line.setLength(0);
     }
 
-    /** Ends the file and gives it its name. @throws DataFault if the format cannot hold what was written */
+    /**
+     * Ends the file and gives it its name.
+     *
+     * @throws DataFault if the format cannot hold what was written
+     */
     public void finish() throws IOException {
         end();
         if (file.isPresent()) {

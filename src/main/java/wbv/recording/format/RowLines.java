@@ -74,7 +74,12 @@ public final class RowLines {
     private Cells cells;
     private long line;
 
-    /** Knows no columns before a header comes. @param name the stream, for messages @param options what the user says of it */
+    /**
+     * Knows no columns before a header comes.
+     *
+     * @param name the stream, for messages
+     * @param options what the user says of it
+     */
     public RowLines(String name, ReadOptions options) {
         this.name = name;
         this.options = options;
@@ -282,7 +287,11 @@ public final class RowLines {
         throw new DataFault("field " + field + " must be a word");
     }
 
-    /** Whose row it is. @throws DataFault if a name is longer than any is */
+    /**
+     * Whose row it is.
+     *
+     * @throws DataFault if a name is longer than any is
+     */
     private static String seat(String word) {
         if (word.length() > LONGEST_SEAT) {
             throw new DataFault("a seat's name has " + LONGEST_SEAT + " letters at most: " + word.substring(0, 40) + "…");

@@ -100,7 +100,12 @@ public sealed interface Finding {
         }
     }
 
-    /** The measured rate departs from the nominal one. @param nominal [Hz] @param measured [Hz] */
+    /**
+     * The measured rate departs from the nominal one.
+     *
+     * @param nominal [Hz]
+     * @param measured [Hz]
+     */
     record Drift(double nominal, double measured) implements Finding {
         /** Departure as a ratio, in parts per million. */
         public double ppm() {
@@ -141,7 +146,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Rows whose time lies before the row above them, or beyond the rows below. @param time [s] of the first */
+    /**
+     * Rows whose time lies before the row above them, or beyond the rows below.
+     *
+     * @param time [s] of the first
+     */
     record TimeBackwards(long count, long line, double time) implements Finding {
         @Override
         public Severity severity() {
@@ -182,7 +191,12 @@ public sealed interface Finding {
         }
     }
 
-    /** Cells without a number. @param channels of one location that lack as many samples @param missing samples that each lacks */
+    /**
+     * Cells without a number.
+     *
+     * @param channels of one location that lack as many samples
+     * @param missing samples that each lacks
+     */
     record Missing(List<Channel> channels, long missing, long rows) implements Finding {
         @Override
         public Severity severity() {
@@ -268,7 +282,11 @@ public sealed interface Finding {
         }
     }
 
-    /** A channel that stays at its greatest or least value again and again. @param value in the channel's unit */
+    /**
+     * A channel that stays at its greatest or least value again and again.
+     *
+     * @param value in the channel's unit
+     */
     record Clipped(Channel channel, double value, long count, long line) implements Finding {
         @Override
         public Severity severity() {
@@ -286,7 +304,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Gravity where it should be gone. @param magnitude of the median vector [m/s²] */
+    /**
+     * Gravity where it should be gone.
+     *
+     * @param magnitude of the median vector [m/s²]
+     */
     record GravityLeftIn(String location, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -304,7 +326,11 @@ public sealed interface Finding {
         }
     }
 
-    /** No gravity where it should be. @param magnitude of what stands there instead [m/s²] */
+    /**
+     * No gravity where it should be.
+     *
+     * @param magnitude of what stands there instead [m/s²]
+     */
     record GravityMissing(String location, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -354,7 +380,12 @@ public sealed interface Finding {
         }
     }
 
-    /** Values that make sense in another unit only. @param read as which unit @param likely the unit they seem to be in */
+    /**
+     * Values that make sense in another unit only.
+     *
+     * @param read as which unit
+     * @param likely the unit they seem to be in
+     */
     record ImplausibleUnit(String location, Quantity quantity, double value, String read, String likely) implements Finding {
         @Override
         public Severity severity() {
@@ -372,7 +403,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Single samples far from both neighbours. @param greatest jump, in the channel's unit */
+    /**
+     * Single samples far from both neighbours.
+     *
+     * @param greatest jump, in the channel's unit
+     */
     record Spikes(Channel channel, long count, double greatest, long line) implements Finding {
         @Override
         public Severity severity() {

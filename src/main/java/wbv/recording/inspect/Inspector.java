@@ -20,7 +20,11 @@ public final class Inspector {
     private final long passedOver;
     private long rows;
 
-    /** An inspector of what this reader gives. @param name the recording, for messages */
+    /**
+     * An inspector of what this reader gives.
+     *
+     * @param name the recording, for messages
+     */
     public Inspector(String name, RowReader reader) {
         this(name, reader.channels(), reader.metadata(), reader.sensorClock(), reader.passedOver());
     }
@@ -63,7 +67,11 @@ public final class Inspector {
         looks.accept(row, line);
     }
 
-    /** Ends the inspection. @throws wbv.recording.DataFault if there were fewer than two samples */
+    /**
+     * Ends the inspection.
+     *
+     * @throws wbv.recording.DataFault if there were fewer than two samples
+     */
     public Inspection finish() {
         times.finish(name);
         Clock clock = times.clock();

@@ -28,7 +28,11 @@ public record BarChart(String title, ChartAxis axis, List<String> groups, List<B
      */
     public record Bars(String name, double[] values, double[] low, double[] high, int colour) {
 
-        /** Without whiskers. @param values by group, in the axis' unit. Not copied, not modified */
+        /**
+         * Without whiskers.
+         *
+         * @param values by group, in the axis' unit. Not copied, not modified
+         */
         public Bars(String name, double[] values, int colour) {
             this(name, values, new double[0], new double[0], colour);
         }

@@ -37,7 +37,12 @@ public record ChartAxis(String label, String unit, Scale scale, double low, doub
         return new ChartAxis(label, unit, Scale.LOG, Double.NaN, Double.NaN, List.of());
     }
 
-    /** The same axis with fixed ends; NaN leaves one to the data. @param from in the axis' unit @param to likewise */
+    /**
+     * The same axis with fixed ends; NaN leaves one to the data.
+     *
+     * @param from in the axis' unit
+     * @param to likewise
+     */
     public ChartAxis within(double from, double to) {
         return new ChartAxis(label, unit, scale, from, to, names);
     }

@@ -8,7 +8,8 @@ import wbv.result.Digits;
 /**
  * A small scale with values on it, drawn without a script.
  *
- * @param from   lower end, in the unit of what it shows @param to upper end, in the unit of what it shows
+ * @param from   lower end, in the unit of what it shows
+ * @param to upper end, in the unit of what it shows
  * @param ranges what lies behind, such as a published range; drawn in their order
  * @param marks  values to compare with, each under its label
  * @param points the values themselves
@@ -32,7 +33,12 @@ public record Gauge(double from, double to, List<Range> ranges, List<Mark> marks
      */
     public record Range(double from, double to, String kind, String words) {}
 
-    /** A line across the scale. @param at in the scale's unit @param label may be empty */
+    /**
+     * A line across the scale.
+     *
+     * @param at in the scale's unit
+     * @param label may be empty
+     */
     public record Mark(double at, String label) {}
 
     /**

@@ -12,7 +12,12 @@ import java.util.List;
 public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series, List<Marker> markers, List<Shade> shades,
         String group, String note) implements Chart {
 
-    /** A vertical line. @param x in the unit of the x axis @param label may be empty */
+    /**
+     * A vertical line.
+     *
+     * @param x in the unit of the x axis
+     * @param label may be empty
+     */
     public record Marker(double x, String label) {}
 
     /**
@@ -25,7 +30,12 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
      */
     public record Shade(double from, double to, String reason, int pattern) {
 
-        /** Hatched in the first way. @param from in the unit of the x axis @param to likewise */
+        /**
+         * Hatched in the first way.
+         *
+         * @param from in the unit of the x axis
+         * @param to likewise
+         */
         public Shade(double from, double to, String reason) {
             this(from, to, reason, 0);
         }

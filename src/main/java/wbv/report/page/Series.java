@@ -69,7 +69,11 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
         return new Series(name, x, y, Style.STRIP, Band.NONE);
     }
 
-    /** A band without a curve: where others have found such values. @param x by point, in the unit of its axis. Not copied, not modified */
+    /**
+     * A band without a curve: where others have found such values.
+     *
+     * @param x by point, in the unit of its axis. Not copied, not modified
+     */
     public static Series range(String name, double[] x, Band band) {
         double[] y = new double[x.length];
         java.util.Arrays.fill(y, Double.NaN);

@@ -89,7 +89,11 @@ public final class ForwardFilter implements Serializable, Snapshot {
         begun = true;
     }
 
-    /** The states become what is given: someone told. @param probabilities K long, summing to one. Not modified, not kept. */
+    /**
+     * The states become what is given: someone told.
+     *
+     * @param probabilities K long, summing to one. Not modified, not kept.
+     */
     public void know(double[] probabilities) {
         System.arraycopy(probabilities, 0, now, 0, now.length);
         begun = true;
@@ -154,7 +158,11 @@ public final class ForwardFilter implements Serializable, Snapshot {
         return now[state];
     }
 
-    /** Copies all probabilities. @param into probabilities, K long. Modified. */
+    /**
+     * Copies all probabilities.
+     *
+     * @param into probabilities, K long. Modified.
+     */
     public void probabilities(double[] into) {
         System.arraycopy(now, 0, into, 0, now.length);
     }

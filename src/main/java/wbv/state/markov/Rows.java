@@ -8,7 +8,11 @@ public final class Rows {
 
     private Rows() {}
 
-    /** Whether no value is missing or infinite. @param row as long as it is, each number in its own unit. Not modified. */
+    /**
+     * Whether no value is missing or infinite.
+     *
+     * @param row as long as it is, each number in its own unit. Not modified.
+     */
     public static boolean complete(double[] row) {
         double sum = 0;
         for (double value : row) {

@@ -44,9 +44,10 @@ public final class Gaussian implements Serializable {
      * A density with a covariance that is lifted where it is too narrow: no variance falls below the floor, and a matrix that
      * is not positive definite gets the floor added to its diagonal until it is.
      *
-     * @param mean length d, each number in its own unit. Copied. @param covariance d by d, by rows, in products of those units, symmetric;
-     *             off its diagonal not looked at where the shape is diagonal. Copied. @param floor least variance by dimension, in the
-     *             square of its unit, &gt; 0. Not modified.
+     * @param mean length d, each number in its own unit. Copied.
+     * @param covariance d by d, by rows, in products of those units, symmetric;
+     * off its diagonal not looked at where the shape is diagonal. Copied.
+     * @param floor least variance by dimension, in the square of its unit, &gt; 0. Not modified.
      * @throws IllegalArgumentException if a number is not finite or the sizes do not fit
      */
     public static Gaussian of(CovarianceShape shape, double[] mean, double[] covariance, double[] floor) {
@@ -149,13 +150,20 @@ public final class Gaussian implements Serializable {
     /**
      * ln p(x) [nat].
      *
-     * @param x length d, in the means' units. Not modified. @param scratch room of no unit, at least d long. Modified.
+     * @param x length d, in the means' units. Not modified.
+     * @param scratch room of no unit, at least d long. Modified.
      */
     public double logDensity(double[] x, double[] scratch) {
         return logDensity(x, scratch, 0);
     }
 
-    /** The same. @param x likewise. Not modified. @param scratch likewise. Modified. @param from first of the d places of the scratch */
+    /**
+     * The same.
+     *
+     * @param x likewise. Not modified.
+     * @param scratch likewise. Modified.
+     * @param from first of the d places of the scratch
+     */
     public double logDensity(double[] x, double[] scratch, int from) {
         int d = mean.length;
         double even = 0;
@@ -195,7 +203,11 @@ public final class Gaussian implements Serializable {
         return logScale - 0.5 * even;
     }
 
-    /** A random point. @param into length d, in the means' units. Modified. */
+    /**
+     * A random point.
+     *
+     * @param into length d, in the means' units. Modified.
+     */
     public void sample(RandomGenerator random, double[] into) {
         int d = mean.length;
         double[] white = new double[d];

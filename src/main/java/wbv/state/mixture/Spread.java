@@ -13,7 +13,11 @@ public final class Spread {
     private final CovarianceShape shape;
     private double weight;
 
-    /** No rows yet. @param about a point near the rows, length d, each number in its own unit. Copied, not modified. */
+    /**
+     * No rows yet.
+     *
+     * @param about a point near the rows, length d, each number in its own unit. Copied, not modified.
+     */
     public Spread(CovarianceShape shape, double[] about) {
         this.shape = shape;
         this.d = about.length;
@@ -23,7 +27,12 @@ public final class Spread {
         this.products = new double[d * d];
     }
 
-    /** Adds a row. @param w its weight [1] @param x length d, each number in its own unit. Not modified. */
+    /**
+     * Adds a row.
+     *
+     * @param w its weight [1]
+     * @param x length d, each number in its own unit. Not modified.
+     */
     public void add(double w, double[] x) {
         weight += w;
         for (int i = 0; i < d; i++) {
@@ -81,7 +90,11 @@ public final class Spread {
         return covariance;
     }
 
-    /** Of rows with equal weights. @throws IllegalArgumentException if there are none */
+    /**
+     * Of rows with equal weights.
+     *
+     * @throws IllegalArgumentException if there are none
+     */
     static Spread of(CovarianceShape shape, double[][] rows) {
         if (rows.length == 0) {
             throw new IllegalArgumentException("mean and covariance need at least one row");
