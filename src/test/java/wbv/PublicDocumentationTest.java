@@ -75,6 +75,9 @@ class PublicDocumentationTest {
             + "|as (many|long)|one( \\w+)? an? \\w+|one (for|of|per) each|(two|three|four|six) numbers)\\b",
             Pattern.CASE_INSENSITIVE);
 
+    /** A block tag that does not begin its line: the javadoc tool takes it for text. */
+    private static final Pattern TAG_WITHIN_A_LINE = Pattern.compile("^\\s*(/\\*\\*|\\*)\\s*\\S.*?\\s@(param|return|throws)\\s.*");
+
     /** A text that leans on the one before it. */
     private static final Pattern LEANS = Pattern.compile("^the same\\b|\\b(likewise|as there)\\b", Pattern.CASE_INSENSITIVE);
 
@@ -88,6 +91,19 @@ class PublicDocumentationTest {
             List<String> gaps = gaps(files.getJavaFileObjectsFromPaths(sources));
             if (!gaps.isEmpty()) {
                 fail(gaps.size() + " public members without the Javadoc that CONTRIBUTING.md asks for:\n" + String.join("\n", gaps));
+            }
+        }
+    }
+
+    @Test
+    void everyTagBeginsALine() throws IOException {
+        assertEquals(List.of(true, true, false, false), Stream.of("    /** A seat. @param mass [kg] */", "     * @param a of it @return b",
+                "     * @param mass [kg]", "    /** @return mass [kg] */").map(line -> TAG_WITHIN_A_LINE.matcher(line).matches()).toList());
+        try (Stream<Path> tree = Files.walk(Path.of("src/main/java"))) {
+            for (Path file : tree.filter(each -> each.toString().endsWith(".java")).toList()) {
+                assertEquals(List.of(),
+                        Files.readAllLines(file).stream().filter(line -> TAG_WITHIN_A_LINE.matcher(line).matches()).toList(),
+                        file::toString);
             }
         }
     }

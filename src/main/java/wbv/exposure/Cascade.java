@@ -128,7 +128,7 @@ public final class Cascade implements Snapshot {
         System.arraycopy(memory, 0, state, 0, state.length);
     }
 
-    /** The coefficients b0 b1 b2 a1 a2 [1] of each biquad in turn, five for each: five times {@link #sections} long. A copy. */
+    /** The coefficients b0 b1 b2 a1 a2 [1] of each biquad in turn, as long as five times their number. A copy. */
     public double[] coefficients() {
         return coefficients.clone();
     }

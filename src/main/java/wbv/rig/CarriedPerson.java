@@ -99,7 +99,7 @@ public final class CarriedPerson {
     }
 
     /** Factor on all stiffnesses of the present; natural frequencies go with its root, damping ratios stay. */
-    public double softness() {
+    public double stiffnessFactor() {
         return softening.stiffness();
     }
 

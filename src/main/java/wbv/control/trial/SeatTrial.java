@@ -95,7 +95,7 @@ public final class SeatTrial {
         Run run = new Run(new PassiveSeat(hardware, MILD), reading, Optional.empty(), 1);
         run.listens = true;
         run.play(Listener.NONE);
-        return run.seat.person().softness();
+        return run.seat.person().stiffnessFactor();
     }
 
     private final class Run {
@@ -198,7 +198,7 @@ public final class SeatTrial {
                 subject = seat.person().subject();
                 truth = Maker.apparent(subject).times(wrong, wrong, wrong);
             }
-            told.get().tell(truth, Math.sqrt(seat.person().softness()));
+            told.get().tell(truth, Math.sqrt(seat.person().stiffnessFactor()));
         }
 
         private void sense(double floor, double time) {

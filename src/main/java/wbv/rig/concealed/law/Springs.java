@@ -107,13 +107,13 @@ public final class Springs {
      *
      * @param k [N/m]
      * @param c [N s/m]
-     * @param hertz [N/m^1.5]
+     * @param contact stiffness of the contact [N/m^1.5]
      * @param gap [m]
      */
-    public static LinkPhysics hertz(double k, double c, double hertz, double gap) {
+    public static LinkPhysics hertz(double k, double c, double contact, double gap) {
         return (Instant) (r, v) -> {
             double depth = Math.max(0, -r - gap);
-            return k * r + c * v - hertz * depth * Math.sqrt(depth);
+            return k * r + c * v - contact * depth * Math.sqrt(depth);
         };
     }
 
