@@ -23,7 +23,7 @@ final class Commands {
     /** {@code wbv} with all of its commands. */
     static CommandLine all() {
         CommandLine wbv = new CommandLine(new Main());
-        EACH.forEach(wbv::addSubcommand);
+        EACH.forEach(each -> wbv.addSubcommand(new CommandLine(each)));
         return wbv;
     }
 
@@ -32,7 +32,7 @@ final class Commands {
         Optional<Class<?>> asked = EACH.stream().filter(each -> arguments.length > 0 && described(each).name().equals(arguments[0]))
                 .filter(each -> !ABOUT_ALL.contains(each)).findFirst();
         if (asked.isPresent()) {
-            return new CommandLine(new Main()).addSubcommand(asked.get());
+            return new CommandLine(new Main()).addSubcommand(new CommandLine(asked.get()));
         }
         boolean aboutNone = arguments.length == 0 || arguments.length == 1 && arguments[0].startsWith("-");
         return aboutNone ? listed() : all();
