@@ -32,7 +32,10 @@ public final class OwnDetector {
         private final double bound;
         private long fed;
 
-        /** @param length values in the window, even @param chance that a half differs as much by chance */
+        /**
+         * @param length values in the window, even
+         * @param chance that a half differs as much by chance
+         */
         Halves(int length, double chance) {
             window = new double[length];
             bound = Math.sqrt(2.0 / length * Math.log(2 / chance));
@@ -48,7 +51,11 @@ public final class OwnDetector {
             return true;
         }
 
-        /** Mean of half the window. @param from values after the oldest */
+        /**
+         * Mean of half the window.
+         *
+         * @param from values after the oldest
+         */
         private double mean(int from) {
             double sum = 0;
             for (int i = 0; i < window.length / 2; i++) {

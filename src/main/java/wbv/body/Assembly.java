@@ -20,7 +20,11 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         outputs = List.copyOf(outputs);
     }
 
-    /** A drive and where it acts. @param place index of a body for one that {@link Drive#actsOnBody}, of a link for the others */
+    /**
+     * A drive and where it acts.
+     *
+     * @param place index of a body for one that {@link Drive#actsOnBody}, of a link for the others
+     */
     public record DriveAt(int place, Drive drive) {}
 
     /** What an output reads. */
@@ -60,13 +64,17 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         }
     }
 
-    /** All parameters, a new array. */
+    /** All parameters, each in its own unit, in the order of the class's text, one for each. A new array. */
     public double[] values() {
         return records().stream().map(Numbers::values)
                 .reduce(structure.values(), Assembly::joined);
     }
 
-    /** The same assembly with other parameters. @param values as many as {@link #values} gives. Not modified. */
+    /**
+     * The same assembly with other parameters.
+     *
+     * @param values as long as {@link #values}, each in its own unit. Not modified.
+     */
     public Assembly with(double[] values) {
         Structure shifted = structure.with(values);
         Cursor cursor = new Cursor(values, structure.parameters());

@@ -18,7 +18,8 @@ public sealed interface Drive {
     /**
      * The lower end of a link is lifted by rotation: arm times the angle.
      *
-     * @param rate measured angular rate channel @param arm [m]
+     * @param rate measured angular rate channel
+     * @param arm [m]
      */
     record Rotation(@Key("rate") Channel rate, @Key("lever_arm_m") double arm) implements Drive {
         public Rotation {
@@ -34,7 +35,9 @@ public sealed interface Drive {
     /**
      * Relative motion along another axis stretches the link: stiffness times the displacement between its ends.
      *
-     * @param upper acceleration across at the upper end @param lower likewise at the lower end @param stiffness [N/m]
+     * @param upper acceleration across at the upper end
+     * @param lower likewise at the lower end
+     * @param stiffness [N/m]
      */
     record CrossAxis(@Key("upper") Channel upper, @Key("lower") Channel lower,
             @Key("cross_stiffness_N_per_m") double stiffness) implements Drive {
@@ -94,7 +97,9 @@ public sealed interface Drive {
     /**
      * The upper end swings: stiffness times (its displacement less that of the lower end).
      *
-     * @param base acceleration across of the base @param rate of the base's rotation @param measured acceleration across of the lower end
+     * @param base acceleration across of the base
+     * @param rate of the base's rotation
+     * @param measured acceleration across of the lower end
      * @param stiffness [N/m]
      * @param frequency of the swing [Hz], &gt; 0
      * @param damping ratio of the swing [1], &gt; 0
@@ -122,7 +127,8 @@ public sealed interface Drive {
      * @param measured acceleration across of the upper end
      * @param stiffness as there
      * @param frequency as there
-     * @param damping as there @param height as there
+     * @param damping as there
+     * @param height as there
      */
     record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured,
             @Key("cross_stiffness_N_per_m") double stiffness,
@@ -151,7 +157,8 @@ public sealed interface Drive {
     /**
      * Acceleration along another axis pushes a body along the model's: mass times acceleration.
      *
-     * @param across measured acceleration along the other axis @param mass that takes part [kg], of either sign
+     * @param across measured acceleration along the other axis
+     * @param mass that takes part [kg], of either sign
      */
     record AcrossBody(@Key("pushed_by") Channel across, @Key("coupled_mass_kg") double mass) implements Drive, Across {
         public AcrossBody {
@@ -169,7 +176,12 @@ public sealed interface Drive {
         }
     }
 
-    /** The same between the ends of a link. @param across as there @param mass as there */
+    /**
+     * The same between the ends of a link.
+     *
+     * @param across as there
+     * @param mass as there
+     */
     record AcrossLink(@Key("across") Channel across, @Key("coupled_mass_kg") double mass) implements Drive, Across {
         public AcrossLink {
             Check.finite("coupled mass", "kg", mass);
@@ -184,7 +196,9 @@ public sealed interface Drive {
     /**
      * A steady force on a body: cosine cos(2πft) + sine sin(2πft).
      *
-     * @param cosine [N] @param sine [N] @param frequency f [Hz], &gt; 0
+     * @param cosine [N]
+     * @param sine [N]
+     * @param frequency f [Hz], &gt; 0
      */
     record Tone(@Key("cosine_N") double cosine, @Key("sine_N") double sine, @Key("frequency_hz") double frequency) implements Drive {
         public Tone {
@@ -228,7 +242,8 @@ public sealed interface Drive {
     /**
      * A force on a body that was measured: an input of the model, not a mechanism.
      *
-     * @param channel what measured it [N] @param offset what the sensor reads at no force [N]
+     * @param channel what measured it [N]
+     * @param offset what the sensor reads at no force [N]
      */
     record Measured(@Key("channel") Channel channel, @Key("offset_N") double offset) implements Drive {
         public Measured {
@@ -249,7 +264,8 @@ public sealed interface Drive {
     /**
      * What a measured force leaves out because its channel is late: the force by so much later less the force as it was recorded.
      *
-     * @param channel what measured it [N] @param delay [s]
+     * @param channel what measured it [N]
+     * @param delay [s]
      */
     record Late(@Key("late_channel") Channel channel, @Key("delay_s") double delay) implements Drive {
         public Late {
@@ -271,7 +287,8 @@ public sealed interface Drive {
      * What a measured force leaves out because its channel is AC coupled, see {@link SensorFault.AcCoupling}: the force that is lost is the
      * integral of what passes, times 2π corner. What it was when the recording began is the channel's offset.
      *
-     * @param channel what measured it [N] @param corner [Hz], &gt; 0
+     * @param channel what measured it [N]
+     * @param corner [Hz], &gt; 0
      */
     record Coupled(@Key("coupled_channel") Channel channel, @Key("corner_hz") double corner) implements Drive {
         public Coupled {
@@ -292,7 +309,8 @@ public sealed interface Drive {
     /**
      * The force that another simulation gave for a link, as a channel of the recording.
      *
-     * @param channel what it gave [N] @param share part of it that acts, 1 for all
+     * @param channel what it gave [N]
+     * @param share part of it that acts, 1 for all
      */
     record Given(@Key("channel") Channel channel, @Key("share") double share) implements Drive {
         public Given {

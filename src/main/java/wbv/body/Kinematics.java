@@ -13,7 +13,8 @@ import java.util.stream.IntStream;
  * two ends and, by their lever arms, by the angles.
  *
  * @param stretch by link
- * @param carried what a coordinate moves by with a unit of each of the base's axes, by coordinate and axis. Not copied
+ * @param carried what a coordinate moves by with a unit of each of the base's axes [1], or [m] about an axis, by coordinate and axis. Not
+ *                copied
  * @param massOf  coordinate whose mass each has: its own index where it has its own. Not copied
  * @param plane   where bodies that turn are, for what goes beyond small motions; empty where that is not known
  */

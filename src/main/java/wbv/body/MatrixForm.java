@@ -118,7 +118,12 @@ final class MatrixForm {
         return out;
     }
 
-    /** Adds what a matrix joins. @param which 0 for springs, 1 for dashpots @param joints Modified. */
+    /**
+     * Adds what a matrix joins.
+     *
+     * @param which 0 for springs, 1 for dashpots
+     * @param joints Modified.
+     */
     private void join(String ground, RealMatrix matrix, int which, Map<Joint, double[]> joints) {
         Map<Joint, Double> found = between(ground, matrix);
         double least = -ROUNDING * largest(matrix);

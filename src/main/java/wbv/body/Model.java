@@ -38,7 +38,12 @@ import wbv.recording.Quantity;
 public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
         Optional<Subject> declared, List<Sensor> sensors) {
 
-    /** In a plane. @param x forward [m] @param z upward [m] */
+    /**
+     * In a plane.
+     *
+     * @param x forward [m]
+     * @param z upward [m]
+     */
     public record Point(double x, double z) {
         public Point {
             Check.finite("x", "m", x);
@@ -68,7 +73,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param at      where its sensor is, in a plane; empty where motions are small
      */
     public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further, Optional<Point> at) {
-        /** A base that moves along one axis. */
+        /**
+         * A base that moves along one axis.
+         *
+         * @param mass [kg]
+         */
         public Base(String name, Optional<Channel> sensor, double mass) {
             this(name, sensor, mass, List.of(), Optional.empty());
         }
@@ -125,7 +134,13 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         arms.forEach((body, arm) -> Check.finite(whose + ": arm of " + body, "m", arm));
     }
 
-    /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
+    /**
+     * A measured force.
+     *
+     * @param body on which it acts
+     * @param sensor what measures it [N]
+     * @param offset what that reads at no force [N]
+     */
     public record Input(String body, Channel sensor, double offset) {
         /** A measured force whose sensor reads 0 N at no force. */
         public Input(String body, Channel sensor) {
@@ -146,7 +161,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param sensor what measures it
      * @param faults of that sensor
      *
-     * @param hidden a mass on a spring that nobody sees @param forces on the body that nobody measured
+     * @param hidden a mass on a spring that nobody sees
+     * @param forces on the body that nobody measured
      * @param fixed whether it is held at rest; its mass then plays no part
      * @param carried what it moves by with a unit of each of the base's axes, by the base's sensor; empty: along the first, as it is
      * @param massOf the body whose mass it shares, since both are motions of one; empty where it has its own
@@ -156,13 +172,21 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
             List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
-        /** A body along the base's first axis, with a mass of its own. */
+        /**
+         * A body along the base's first axis, with a mass of its own.
+         *
+         * @param mass [kg], &gt; 0
+         */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                 List<Drive> forces, boolean fixed) {
             this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false, Optional.empty());
         }
 
-        /** A body that is free to move along the base's first axis. */
+        /**
+         * A body that is free to move along the base's first axis.
+         *
+         * @param mass [kg], &gt; 0
+         */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                 List<Drive> forces) {
             this(name, mass, sensor, faults, hidden, forces, false);
@@ -188,13 +212,23 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns, at);
         }
 
-        /** The same body, completed. */
+        /**
+         * The same body, completed.
+         *
+         * @param kilograms its mass [kg], or moment of inertia [kg m²]
+         */
         public Body completed(double kilograms, List<SensorFault> found, Optional<HiddenMode> rider, List<Drive> acting) {
             return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns, at);
         }
     }
 
-    /** A mass that rides on a body. @param mass [kg] @param frequency of its own [Hz] @param dampingRatio of its own [1], all &gt; 0 */
+    /**
+     * A mass that rides on a body.
+     *
+     * @param mass [kg]
+     * @param frequency of its own [Hz]
+     * @param dampingRatio of its own [1], all &gt; 0
+     */
     public record HiddenMode(@Key("mass_kg") double mass, @Key("frequency_hz") double frequency,
             @Key("damping_ratio") double dampingRatio) {
         public HiddenMode {
@@ -227,13 +261,23 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      */
     public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
             List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms, Optional<Point> at) {
-        /** A link that its two ends alone stretch. */
+        /**
+         * A link that its two ends alone stretch.
+         *
+         * @param stiffness [N/m]
+         * @param damping [N s/m]
+         */
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
                 List<Drive> drives, List<SensorFault> faults) {
             this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of(), Optional.empty());
         }
 
-        /** A link that its two ends alone stretch, its sensor without faults. */
+        /**
+         * A link that its two ends alone stretch, its sensor without faults.
+         *
+         * @param stiffness [N/m]
+         * @param damping [N s/m]
+         */
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
                 List<Drive> drives) {
             this(from, to, stiffness, damping, sensor, laws, drives, List.of());
@@ -253,7 +297,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives, List.of(), arms, at);
         }
 
-        /** The same link, completed. */
+        /**
+         * The same link, completed.
+         *
+         * @param k stiffness [N/m]
+         * @param c damping [N s/m]
+         */
         public Link completed(double k, double c, List<Law> found, List<Drive> acting, List<SensorFault> amiss) {
             return new Link(from, to, k, c, sensor, found, acting, amiss, arms, at);
         }

@@ -41,12 +41,21 @@ public final class ModelFile {
 
     private ModelFile() {}
 
-    /** Reads a model. @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
+    /**
+     * Reads a model.
+     *
+     * @throws DataFault if the file is no model: the message names the file, the place in it and what would be right
+     */
     public static Model read(Path file) throws IOException {
         return parse(InputFile.text(file, "a model is JSON"), file.toString());
     }
 
-    /** Reads a model from its text. @param name what messages call the text, such as a file name @throws DataFault as {@link #read} does */
+    /**
+     * Reads a model from its text.
+     *
+     * @param name what messages call the text, such as a file name
+     * @throws DataFault as {@link #read} does
+     */
     public static Model parse(String text, String name) {
         JsonNode root;
         try {
@@ -116,7 +125,11 @@ public final class ModelFile {
         return model(at, ground, bodies, links, sensors);
     }
 
-    /** The key of a link's stiffness. @param about whether it acts about an axis */
+    /**
+     * The key of a link's stiffness.
+     *
+     * @param about whether it acts about an axis
+     */
     public static String stiffnessKey(boolean about) {
         return about ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
     }

@@ -7,7 +7,7 @@ import java.util.List;
  * forces act where the points are, in the axes of the lower body, sensors turn with what they sit on, and what moves on a base that turns
  * is thrown about.
  *
- * @param origin of the base: x, z [m]. Not copied
+ * @param origin of the base: x, z [m], two long. Not copied
  * @param axes   index among the base's axes of its motion along x, along z and about y; -1 where it has none. Not copied
  * @param bodies rigid bodies
  * @param joints of links along x and z: a link about y has none
@@ -17,7 +17,13 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
     /** A motion of a rigid body. */
     public enum Motion { X, Z, PITCH }
 
-    /** A body. @param coordinate of each motion, -1 for none. Not copied @param x of its centre of mass [m] @param z likewise */
+    /**
+     * A body.
+     *
+     * @param coordinate of each motion, -1 for none. Not copied
+     * @param x of its centre of mass [m]
+     * @param z likewise
+     */
     public record Rigid(int[] coordinate, double x, double z) {}
 
     /**

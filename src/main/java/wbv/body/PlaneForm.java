@@ -103,7 +103,11 @@ final class PlaneForm {
         sensors.addAll(beside);
     }
 
-    /** How a base that moves along its axes carries a point. @param from the point, from where the base is */
+    /**
+     * How a base that moves along its axes carries a point.
+     *
+     * @param from the point, from where the base is
+     */
     private Map<Channel, Double> carried(Plane.Motion motion, Model.Point from) {
         Map<Channel, Double> out = new LinkedHashMap<>();
         moved.forEach((axis, channel) -> {

@@ -30,7 +30,11 @@ public final class PublishedModels {
         return NAMES.contains(word) && !Files.exists(Path.of(word));
     }
 
-    /** The published model of this name. @throws DataFault if there is none */
+    /**
+     * The published model of this name.
+     *
+     * @throws DataFault if there is none
+     */
     public static Model open(String name) throws IOException {
         if (!NAMES.contains(name)) {
             throw DataFault.in(name, "there is no such file, and no model is published under this name; published are "
@@ -41,7 +45,11 @@ public final class PublishedModels {
         }
     }
 
-    /** The model in a file or, where there is no such file, the published one. @throws DataFault if it is neither, or no model */
+    /**
+     * The model in a file or, where there is no such file, the published one.
+     *
+     * @throws DataFault if it is neither, or no model
+     */
     public static Model find(String fileOrName) throws IOException {
         return Files.exists(Path.of(fileOrName)) ? ModelFile.read(Path.of(fileOrName)) : open(fileOrName);
     }

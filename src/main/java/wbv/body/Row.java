@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
  * A linear combination of few of many coordinates: Σ by_i q_(at_i).
  *
  * @param at indices of coordinates, each once, &gt;= 0. Not copied
- * @param by what each is taken by. Not copied
+ * @param by factor by which each is taken, as long as {@code at}: 1, -1, or a lever arm [m] of an angle. Not copied
  */
 public record Row(int[] at, double[] by) {
 
@@ -23,7 +23,11 @@ public record Row(int[] at, double[] by) {
         return coordinate < 0 ? new Row(new int[0], new double[0]) : new Row(new int[] {coordinate}, new double[] {1});
     }
 
-    /** The upper end less the lower end. @param from -1 for the base */
+    /**
+     * The upper end less the lower end.
+     *
+     * @param from -1 for the base
+     */
     public static Row between(int from, int to) {
         return from < 0 ? of(to) : new Row(new int[] {to, from}, new double[] {1, -1});
     }
@@ -48,7 +52,11 @@ public record Row(int[] at, double[] by) {
         return 0;
     }
 
-    /** The combination of values that stand one after the other, from an offset on. @param values Not modified. */
+    /**
+     * The combination of values that stand one after the other, from an offset on, in their unit.
+     *
+     * @param values in their own unit, by coordinate from the offset on. Not modified.
+     */
     public double of(double[] values, int offset) {
         double sum = 0;
         for (int i = 0; i < at.length; i++) {
@@ -57,7 +65,12 @@ public record Row(int[] at, double[] by) {
         return sum;
     }
 
-    /** The combination of spectra or series, a new array. @param values by coordinate. Not modified. @param length of each */
+    /**
+     * The combination of spectra or series, in their unit, as long as each. A new array.
+     *
+     * @param values by coordinate, in their own unit. Not modified.
+     * @param length of each
+     */
     public double[] of(double[][] values, int length) {
         double[] out = new double[length];
         for (int i = 0; i < at.length; i++) {

@@ -27,7 +27,8 @@ public sealed interface SensorFault {
     /**
      * The sensor rides on its strap: second-order resonance (thesis Eq. 2-33 to 2-37, as corrected).
      *
-     * @param frequency of the mount [Hz], &gt; 0 @param dampingRatio of the mount [1], &gt; 0
+     * @param frequency of the mount [Hz], &gt; 0
+     * @param dampingRatio of the mount [1], &gt; 0
      */
     record MountResonance(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio) implements SensorFault {
         public MountResonance {
@@ -45,7 +46,9 @@ public sealed interface SensorFault {
      * The same where what it rides on stiffens as it is stretched, as skin and straps do: {@code ẍ + 2ζω ẋ + ω²(x + c x³) = -a}, of which
      * the sensor reads {@code a + ẍ}; for c = 0 {@link MountResonance}.
      *
-     * @param frequency of small motion [Hz], &gt; 0 @param dampingRatio of small motion [1], &gt; 0 @param cubic c [1/m²], at least 0
+     * @param frequency of small motion [Hz], &gt; 0
+     * @param dampingRatio of small motion [1], &gt; 0
+     * @param cubic c [1/m²], at least 0
      */
     record StiffeningMount(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio,
             @Key("cubic_per_m2") double cubic)
@@ -85,8 +88,10 @@ public sealed interface SensorFault {
      * The sensor is turned, and all its axes with it. Its other axes' readings are what was recorded, so in their terms the faulty reading
      * is {@code z √(1 + tan²α + tan²β) + x' tan α + y' tan β}: exact, from the third column of a rotation.
      *
-     * @param across channel of the one axis @param beside of the other @param towardsX tilt to across [rad] @param towardsY tilt
-     * to beside [rad], both within ±1
+     * @param across channel of the one axis
+     * @param beside of the other
+     * @param towardsX tilt to across [rad]
+     * @param towardsY tilt to beside [rad], both within ±1
      */
     record Misalignment(@Key("across") Channel across, @Key("beside") Channel beside, @Key("towards_x_rad") double towardsX,
             @Key("towards_y_rad") double towardsY) implements SensorFault {
@@ -105,7 +110,8 @@ public sealed interface SensorFault {
      * The sensor is turned about one axis, and all its axes with it. In terms of what its axis across reads, likewise turned, it reads
      * {@code z / cos α + x' tan α}: exact.
      *
-     * @param across channel of the axis towards which it is turned @param angle α [rad], within ±1
+     * @param across channel of the axis towards which it is turned
+     * @param angle α [rad], within ±1
      */
     record Turned(@Key("across") Channel across, @Key("angle_rad") double angle) implements SensorFault {
         public Turned {
@@ -118,7 +124,12 @@ public sealed interface SensorFault {
         }
     }
 
-    /** Samples are late, and later and later where the sensor's clock runs slow. @param delay [s] @param drift [s/s] */
+    /**
+     * Samples are late, and later and later where the sensor's clock runs slow.
+     *
+     * @param delay [s]
+     * @param drift [s/s]
+     */
     record Delay(@Key("delay_s") double delay, @Key("drift_s_per_s") double drift) implements SensorFault {
         public Delay {
             Check.finite("delay", "s", delay);
@@ -149,7 +160,11 @@ public sealed interface SensorFault {
         }
     }
 
-    /** A constant is added. @param bias in the channel's unit */
+    /**
+     * A constant is added.
+     *
+     * @param bias in the channel's unit
+     */
     record Bias(@Key("bias") double bias) implements SensorFault {
         public Bias {
             Check.finite("bias", "channel's unit", bias);
@@ -161,7 +176,11 @@ public sealed interface SensorFault {
         }
     }
 
-    /** Wrong sensitivity. @param factor reported over true, not 0 */
+    /**
+     * Wrong sensitivity.
+     *
+     * @param factor reported over true, not 0
+     */
     record Gain(@Key("factor") double factor) implements SensorFault {
         public Gain {
             Check.finite("gain factor", "1", factor);
@@ -173,7 +192,12 @@ public sealed interface SensorFault {
         }
     }
 
-    /** Values beyond a range are cut. @param low @param high in the channel's unit, low &lt; high */
+    /**
+     * Values beyond a range are cut.
+     *
+     * @param low
+     * @param high in the channel's unit, low &lt; high
+     */
     record Clipping(@Key("low") double low, @Key("high") double high) implements SensorFault {
         public Clipping {
             Check.above("upper clipping level", "channel's unit", high, low);
@@ -185,7 +209,12 @@ public sealed interface SensorFault {
         }
     }
 
-    /** Values are rounded to whole steps. @param step [the channel's unit], &gt; 0 @param level one of the values that it can have */
+    /**
+     * Values are rounded to whole steps.
+     *
+     * @param step [the channel's unit], &gt; 0
+     * @param level one of the values that it can have, in the channel's unit
+     */
     record Quantised(@Key("step") double step, @Key("level") double level) implements SensorFault {
         public Quantised {
             Check.positive("step", "channel's unit", step);
@@ -206,7 +235,12 @@ public sealed interface SensorFault {
         }
     }
 
-    /** The sensor sits off the point: rotation adds arm times angular acceleration. @param rate of rotation @param arm [m] */
+    /**
+     * The sensor sits off the point: rotation adds arm times angular acceleration.
+     *
+     * @param rate of rotation
+     * @param arm [m]
+     */
     record LeverArm(@Key("rate") Channel rate, @Key("lever_arm_m") double arm) implements SensorFault {
         public LeverArm {
             Check.finite("lever arm", "m", arm);

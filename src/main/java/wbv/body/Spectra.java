@@ -5,21 +5,37 @@ public final class Spectra {
 
     private Spectra() {}
 
-    /** Adds a multiple of one to another, as far as the shorter reaches. @param target Modified. @param source Not modified. */
+    /**
+     * Adds a multiple of one to another.
+     *
+     * @param target spectrum or series in its own unit, at least as long as the source. Modified.
+     * @param source spectrum or series in a unit that the factor turns into the target's. Not modified.
+     */
     public static void add(double[] target, double[] source, double factor) {
         for (int i = 0; i < source.length; i++) {
             target[i] += factor * source[i];
         }
     }
 
-    /** The product, line by line; a new array. Neither is modified. */
+    /**
+     * The product of two spectra, line by line, in the product of their units. A new array.
+     *
+     * @param x spectrum of any unit
+     * @param y of any unit, as long. Neither is modified.
+     */
     public static double[] product(double[] x, double[] y) {
         double[] out = new double[x.length];
         addProduct(x, y, 1, out);
         return out;
     }
 
-    /** Adds a multiple of the product, line by line. @param out Modified. */
+    /**
+     * Adds a multiple of the product of two spectra of any units, line by line.
+     *
+     * @param x spectrum of any unit
+     * @param y of any unit, as long
+     * @param out in the product of their units, a spectrum as long as they. Modified.
+     */
     public static void addProduct(double[] x, double[] y, double factor, double[] out) {
         for (int i = 0; i < out.length; i += 2) {
             out[i] += factor * (x[i] * y[i] - x[i + 1] * y[i + 1]);
@@ -27,7 +43,12 @@ public final class Spectra {
         }
     }
 
-    /** Derivative to time, by j ω. A new array. @param omega by line [rad/s] @param x K lines. Neither is modified. */
+    /**
+     * Derivative to time, by j ω: a spectrum, in the unit of x per second. A new array.
+     *
+     * @param omega by line [rad/s]
+     * @param x spectrum of K lines, in its own unit. Neither is modified.
+     */
     public static double[] timesJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 0; k < omega.length; k++) {
@@ -38,10 +59,10 @@ public final class Spectra {
     }
 
     /**
-     * Integral over time, by 1/(j ω); nothing at the first line. A new array.
+     * Integral over time, by 1/(j ω): a spectrum, in the unit of x times seconds; nothing at the first line. A new array.
      *
      * @param omega by line [rad/s]
-     * @param x K lines. Neither is modified.
+     * @param x spectrum of K lines, in its own unit. Neither is modified.
      */
     public static double[] overJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
@@ -52,7 +73,13 @@ public final class Spectra {
         return out;
     }
 
-    /** The k [N/m] and c [N s/m] of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out. None is modified. */
+    /**
+     * Two numbers, k [N/m] and c [N s/m], of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out.
+     *
+     * @param omega by line [rad/s]
+     * @param force spectrum [N]
+     * @param stretch spectrum [m]. None is modified.
+     */
     public static double[] stiffnessAndDamping(double[] omega, double[] force, double[] stretch) {
         double inPhase = 0;
         double ahead = 0;

@@ -48,7 +48,13 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         }
     }
 
-    /** A net whose bodies move along the base's one axis, each link between its two ends. Arrays are not copied and not modified. */
+    /**
+     * A net whose bodies move along the base's one axis, each link between its two ends. Arrays are not copied and not modified.
+     *
+     * @param stiffness [N/m] by link
+     * @param damping [N s/m] by link
+     * @param mass [kg] by body, &gt; 0
+     */
     public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
         this(from, to, stiffness, damping, mass, held, Kinematics.along(from, to, mass.length));
     }
@@ -83,7 +89,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return kinematics.stretch().get(link);
     }
 
-    /** Incidence of a body in a link: +1 at its upper end, -1 at its lower, a lever arm where it turns, else 0. */
+    /** Incidence of a body in a link: +1 at its upper end, -1 at its lower, a lever arm [m] where it turns, else 0. */
     public double incidence(int body, int link) {
         return stretch(link).factor(body);
     }
@@ -132,7 +138,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Arrays.stream(squares).filter(square -> square > LOOSE * largest).map(square -> Math.sqrt(square) / (2 * Math.PI)).min();
     }
 
-    /** The same net with other values. @param values 2 L + n parameters. Not modified. */
+    /**
+     * The same net with other values.
+     *
+     * @param values 2 L + n long, in the order and units of {@link #values}. Not modified.
+     */
     public Structure with(double[] values) {
         int links = links();
         double[] k = Arrays.copyOfRange(values, 0, links);
@@ -142,7 +152,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return new Structure(from, to, k, c, m, held, kinematics);
     }
 
-    /** The 2 L + n parameters, a new array. */
+    /** The parameters, 2 L + n long: stiffness [N/m] by link, damping [N s/m] by link, mass [kg] by body. A new array. */
     public double[] values() {
         double[] out = new double[parameters()];
         System.arraycopy(stiffness, 0, out, 0, links());
@@ -160,7 +170,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Math.sqrt(largest);
     }
 
-    /** State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41. */
+    /**
+     * State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41.
+     *
+     * @param omega Ω [rad/s]
+     */
     public DMatrixRMaj stateMatrix(double omega) {
         int n = bodies();
         DMatrixRMaj a = new DMatrixRMaj(2 * n, 2 * n);
@@ -203,7 +217,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return axes() + links() + body;
     }
 
-    /** Derivative of {@link #stateMatrix} to a parameter at constant Ω. */
+    /**
+     * Derivative of {@link #stateMatrix} to a parameter at constant Ω.
+     *
+     * @param omega Ω [rad/s]
+     */
     public DMatrixRMaj stateSlope(int parameter, double omega) {
         int n = bodies();
         DMatrixRMaj d = new DMatrixRMaj(2 * n, 2 * n);

@@ -45,7 +45,12 @@ final class Answer {
         return quiet ? ProgressBar.hidden() : ProgressBar.onTerminal();
     }
 
-    /** Prints what was found. @param wrote the files that there are now, as the last lines @param machines the same as JSON */
+    /**
+     * Prints what was found.
+     *
+     * @param wrote the files that there are now, as the last lines
+     * @param machines the same as JSON
+     */
     void print(String summary, String wrote, Json machines) throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         out.print(json ? machines.text() : coloured(summary + (quiet ? "" : wrote), Ansi.AUTO.enabled()));

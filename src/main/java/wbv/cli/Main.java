@@ -25,12 +25,9 @@ import wbv.recording.OneLine;
 import wbv.recording.Unfinished;
 import wbv.task.AdmittedClasses;
 
-/** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
+/** The command {@code wbv}: runs one of its {@link Commands}, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
         description = "Vibration of seated people from inertial sensors: streams, body parameters, reports.",
-        subcommands = {Analyze.class, Exposure.class, Frf.class, Track.class, Live.class, Fleet.class, Identify.class, Poles.class,
-            States.class, Diagnose.class, Prove.class, SuspensionSeat.class, Convert.class, MapColumns.class,
-            Simulate.class, Export.class, Net.class, Task.class, Completion.class, CommandLine.HelpCommand.class},
         footer = {"", "Example:", "  wbv analyze data/arff/ride-subject1.arff --out out", "",
             "Exit codes: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault."})
 public final class Main implements Runnable {
@@ -72,7 +69,7 @@ public final class Main implements Runnable {
      * @return the exit code: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault
      */
     public static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine line = new CommandLine(new Main())
+        CommandLine line = Commands.of(arguments)
                 .setOut(out)
                 .setErr(err)
                 .setParameterExceptionHandler(Main::wrongUsage)

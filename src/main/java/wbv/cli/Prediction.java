@@ -65,7 +65,12 @@ final class Prediction {
         return Double.isNaN(value) ? "" : whole ? Integer.toString((int) value) : Double.toString(value);
     }
 
-    /** A model run from the recording's start. @param first sample that is written @param end the first that is not any more */
+    /**
+     * A model run from the recording's start.
+     *
+     * @param first sample that is written
+     * @param end the first that is not any more
+     */
     static void write(Model model, Recording recording, long first, long end, Path file) throws IOException {
         if (model.outputs().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be written");

@@ -51,7 +51,11 @@ final class ProgressBar implements AutoCloseable {
                 .orElseGet(() -> System.console() != null));
     }
 
-    /** Says how far a step has come. @param fraction 0 to 1, or NaN where the length is not known */
+    /**
+     * Says how far a step has come.
+     *
+     * @param fraction 0 to 1, or NaN where the length is not known
+     */
     void at(String name, double fraction) {
         step = new Step(name, fraction);
     }

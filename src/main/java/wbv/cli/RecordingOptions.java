@@ -36,8 +36,8 @@ final class RecordingOptions {
     private static final long PATIENCE = 5000;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
-            description = "CSV, ARFF, UFF 58, MAT, HDF5, Parquet, WAV, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor "
-                    + "each are joined; '-' reads standard input to its end")
+            description = "CSV, ARFF, UFF 58, MAT, HDF5, Parquet, WAV, MT Manager, DOT or MVNX file, gzip or not; several files of one "
+                    + "sensor each are joined; '-' reads standard input to its end")
     private List<String> names = new ArrayList<>();
 
     @Option(names = "--map", paramLabel = "FILE",

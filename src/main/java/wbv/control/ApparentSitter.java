@@ -28,7 +28,12 @@ public record ApparentSitter(double rigid, double moving, double frequency, doub
         return new ApparentSitter(masses * rigid, masses * moving, frequencies * frequency, dampings * damping);
     }
 
-    /** Force over acceleration of the seat. @param f [Hz] @param response real and imaginary part [kg]. Modified. */
+    /**
+     * Force over acceleration of the seat.
+     *
+     * @param f [Hz]
+     * @param response real and imaginary part [kg], two long. Modified.
+     */
     public void apparentMass(double f, double[] response) {
         double r = f / frequency;
         double numeratorIm = 2 * damping * r;

@@ -38,7 +38,11 @@ public final class DiscreteRiccati {
     private boolean solved;
     private boolean failed;
 
-    /** Room for equations of one order. @param n order, &gt;= 1 */
+    /**
+     * Room for equations of one order.
+     *
+     * @param n order, &gt;= 1
+     */
     public DiscreteRiccati(int n) {
         this.n = n;
         a = new DMatrixRMaj(n, n);
@@ -55,7 +59,8 @@ public final class DiscreteRiccati {
     /**
      * A new equation.
      *
-     * @param a0 A, n by n. Not modified. @param g0 G, n by n, symmetric, &gt;= 0 but in a game against what shakes. Not modified.
+     * @param a0 A, n by n. Not modified.
+     * @param g0 G, n by n, symmetric, &gt;= 0 but in a game against what shakes. Not modified.
      * @param h0 H, n by n, symmetric, &gt;= 0. Not modified.
      */
     public void begin(DMatrixRMaj a0, DMatrixRMaj g0, DMatrixRMaj h0) {
@@ -121,7 +126,7 @@ public final class DiscreteRiccati {
         return h;
     }
 
-    /** Frobenius norm of {@code Aᵀ X (I + G X)⁻¹ A + H - X} over that of X: what a solution leaves. Allocates. */
+    /** Frobenius norm of {@code Aᵀ X (I + G X)⁻¹ A + H - X} over that of X [1]: what a solution leaves. Allocates. */
     public static double residual(DMatrixRMaj a, DMatrixRMaj g, DMatrixRMaj h, DMatrixRMaj x) {
         int n = a.numRows;
         DMatrixRMaj w = CommonOps_DDRM.identity(n);

@@ -3,7 +3,9 @@ package wbv.control;
 /**
  * What a controller supposes of the floor: white noise through one resonance. A machine's maker knows where it shakes.
  *
- * @param frequency of the band's middle [Hz], &gt; 0 @param damping half the band's width over its middle, &gt; 0 @param rms [m/s²], &gt; 0
+ * @param frequency of the band's middle [Hz], &gt; 0
+ * @param damping half the band's width over its middle [1], &gt; 0
+ * @param rms [m/s²], &gt; 0
  */
 public record FloorBand(double frequency, double damping, double rms) {
 

@@ -19,7 +19,11 @@ final class GainSolver {
     private final DMatrixRMaj pc = new DMatrixRMaj(N, SENSORS);
     private final DMatrixRMaj s = new DMatrixRMaj(SENSORS, SENSORS);
 
-    /** {@code k = F² bᵀ X (I + G X)⁻¹ a}: the force is minus k times the states. @param k 1 by N. Modified. */
+    /**
+     * {@code k = F² bᵀ X (I + G X)⁻¹ a}: the force is minus k times the states.
+     *
+     * @param k 1 by N. Modified.
+     */
     void control(SeatModel model, DMatrixRMaj x, DMatrixRMaj g, DMatrixRMaj k) {
         CommonOps_DDRM.mult(g, x, w);
         invert();
@@ -43,7 +47,12 @@ final class GainSolver {
         CommonOps_DDRM.mult(pc, s, l);
     }
 
-    /** {@code m (I - share p q)⁻¹}. @param m rows by N. Modified. @param into likewise. Modified. */
+    /**
+     * {@code m (I - share p q)⁻¹}.
+     *
+     * @param m rows by N. Modified.
+     * @param into likewise. Modified.
+     */
     void divide(DMatrixRMaj m, double share, DMatrixRMaj p, DMatrixRMaj q, DMatrixRMaj into) {
         CommonOps_DDRM.mult(-share, p, q, w);
         invert();

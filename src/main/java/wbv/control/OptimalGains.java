@@ -60,7 +60,11 @@ final class OptimalGains {
         return sum;
     }
 
-    /** The states a sample later. @param force that was given [N] */
+    /**
+     * The states a sample later.
+     *
+     * @param force that was given [N]
+     */
     void foresee(double force) {
         for (int i = 0; i < N; i++) {
             double sum = b[i] * force;

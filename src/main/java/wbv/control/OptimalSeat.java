@@ -55,7 +55,7 @@ public final class OptimalSeat implements SeatController {
     /**
      * At rest.
      *
-     * @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0
+     * @param price of 20 mm of stroke in weighted acceleration [(m/s²)²], &gt; 0
      * @param sitter owned by the controller from now on
      */
     public OptimalSeat(SeatHardware hardware, Drive drive, Aim aim, FloorBand floor, double price, SitterSource sitter) {

@@ -5,7 +5,11 @@ public final class PassiveSeat implements SeatController {
 
     private final double damping;
 
-    /** A damper as it is sold. @param damping [N·s/m], within what the hardware can do */
+    /**
+     * A damper as it is sold.
+     *
+     * @param damping [N·s/m], within what the hardware can do
+     */
     public PassiveSeat(SeatHardware hardware, double damping) {
         if (!(damping >= hardware.leastDamping() && damping <= hardware.mostDamping())) {
             throw new IllegalArgumentException(

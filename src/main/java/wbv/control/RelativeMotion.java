@@ -42,7 +42,8 @@ final class RelativeMotion {
      * The damping that comes nearest to a force in the mean square over the rates that it may meet: a damper is late, and by then the
      * rate v has become one of variance σ², what the acceleration makes of it in that time; so {@code force v / (v² + σ²)}.
      *
-     * @param force against the rate [N] @return [N·s/m]
+     * @param force against the rate [N]
+     * @return [N·s/m]
      */
     double damping(double force) {
         return force * rate / (rate * rate + late * late * square + STILL * STILL);

@@ -11,6 +11,11 @@ public sealed interface SeatController permits PassiveSeat, SkyhookSeat, Optimal
     /** Time between two samples [s]. */
     double STEP = 1 / RATE;
 
-    /** One sample. @param readings Not modified. @param command Modified. */
+    /**
+     * One sample.
+     *
+     * @param readings Not modified.
+     * @param command Modified.
+     */
     void step(SeatReadings readings, SeatCommand command);
 }

@@ -8,7 +8,11 @@ sealed interface SeatDesign permits MeanDesign, WorstDesign {
     /** Begins a design for the sitter whom the source tells now. */
     void begin(SitterSource sitter);
 
-    /** A piece of the work. @return whether it is over, with a design or without one */
+    /**
+     * A piece of the work.
+     *
+     * @return whether it is over, with a design or without one
+     */
     boolean advance();
 
     /** Whether there is a design. */

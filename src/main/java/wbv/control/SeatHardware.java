@@ -5,7 +5,8 @@ package wbv.control;
  *
  * @param frameMass    what the suspension carries without cushion and sitter [kg], &gt; 0
  * @param stiffness    of the suspension's spring [N/m], &gt; 0
- * @param leastDamping of the adjustable damper [N·s/m], &gt; 0 @param mostDamping of it [N·s/m], more than the least
+ * @param leastDamping of the adjustable damper [N·s/m], &gt; 0
+ * @param mostDamping of it [N·s/m], more than the least
  * @param mostForce    of the actuator [N], &gt; 0
  * @param lag          of damper and actuator, which follow what is asked as a first-order system [s], &gt; 0
  * @param delay        from the sensors until damper and actuator begin to follow [s], &gt;= 0

@@ -70,7 +70,10 @@ final class SeatModel {
     private double ratio;
     private double force;
 
-    /** @param floor what it is supposed to do @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0 */
+    /**
+     * @param floor what it is supposed to do
+     * @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0
+     */
     SeatModel(SeatHardware hardware, FloorBand floor, double price) {
         if (!(price > 0) || Double.isInfinite(price)) {
             throw new IllegalArgumentException("price of the stroke must be > 0: " + price);
@@ -90,7 +93,11 @@ final class SeatModel {
         force = ACCELERATION * (hardware.frameMass() + rigid + moving);
     }
 
-    /** All equations. @param damping that is always there, which u comes on top of [N·s/m] */
+    /**
+     * All equations.
+     *
+     * @param damping that is always there, which u comes on top of [N·s/m]
+     */
     void damp(double damping) {
         model(damping);
         sample();

@@ -15,7 +15,8 @@ public final class SeatReadings {
     /**
      * A new instant.
      *
-     * @param floorAcceleration upwards, without gravity [m/s²] @param frameAcceleration of what the suspension carries, likewise [m/s²]
+     * @param floorAcceleration upwards, without gravity [m/s²]
+     * @param frameAcceleration of what the suspension carries, likewise [m/s²]
      * @param frameDeflection place of the frame over the floor, from the middle of the stroke, upwards [m]
      * @param springForce of the suspension's spring on the frame, its preload with it [N]
      * @param trunkAcceleration of a sensor that the sitter wears [m/s²]

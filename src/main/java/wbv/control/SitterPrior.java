@@ -7,7 +7,8 @@ package wbv.control;
  * @param frequency what the estimator of the body reads on the middle sitter [Hz], &gt; 0: between frame and trunk, which is not the
  *                  frequency of the apparent mass
  * @param damping   likewise the damping ratio, &gt; 0
- * @param masses    by how much sitters differ in mass, one standard deviation as a share @param frequencies likewise in natural frequency
+ * @param masses    by how much sitters differ in mass, one standard deviation as a share
+ * @param frequencies likewise in natural frequency
  * @param dampings  likewise in damping ratio
  */
 public record SitterPrior(ApparentSitter middle, double frequency, double damping, double masses, double frequencies, double dampings) {

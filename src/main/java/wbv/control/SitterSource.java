@@ -3,7 +3,11 @@ package wbv.control;
 /** Who sits there, as a controller shall believe it, at every sample. */
 public sealed interface SitterSource permits ToldSitter, FollowedSitter {
 
-    /** One sample. @param readings Not modified. */
+    /**
+     * One sample.
+     *
+     * @param readings Not modified.
+     */
     void hear(SeatReadings readings);
 
     /** Mass that moves with the seat [kg]. */

@@ -25,7 +25,11 @@ public final class SkyhookSeat implements SeatController {
     private double velocity;
     private double last;
 
-    /** At rest. @param gain damping of the sky's damper, or the higher one of two [N·s/m], &gt;= 0 */
+    /**
+     * At rest.
+     *
+     * @param gain damping of the sky's damper, or the higher one of two [N·s/m], &gt;= 0
+     */
     public SkyhookSeat(SeatHardware hardware, Kind kind, double gain) {
         if (!(gain >= 0) || Double.isInfinite(gain)) {
             throw new IllegalArgumentException("the sky's damping must be >= 0 N·s/m: " + gain);

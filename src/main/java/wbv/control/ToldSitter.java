@@ -13,7 +13,11 @@ public final class ToldSitter implements SitterSource {
         tell(sitter, 1);
     }
 
-    /** From now on this one. @param frequencies times which his natural frequency is now, &gt; 0 */
+    /**
+     * From now on this one.
+     *
+     * @param frequencies factor on his natural frequency from now on, &gt; 0
+     */
     public void tell(ApparentSitter sitter, double frequencies) {
         rigid = sitter.rigid();
         moving = sitter.moving();

@@ -163,7 +163,11 @@ final class WorstDesign implements SeatDesign {
         return factor(game);
     }
 
-    /** Cholesky's lower triangle, in {@link #root}. @return whether there is one */
+    /**
+     * Cholesky's lower triangle, in {@link #root}.
+     *
+     * @return whether there is one
+     */
     private boolean factor(DMatrixRMaj m) {
         root.zero();
         for (int j = 0; j < N; j++) {

@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Projection;
@@ -42,7 +43,11 @@ final class BlockScores {
         return gradients.length;
     }
 
-    /** Variance of b·x. @param solved C⁻¹ b with C the curvature. Not modified. */
+    /**
+     * Variance of b·x.
+     *
+     * @param solved C⁻¹ b with C the curvature. Not modified.
+     */
     double variance(double[] solved) {
         double sum = 0;
         for (double[] each : gradients) {
@@ -92,12 +97,7 @@ final class BlockScores {
     private static double[][] series(double[] whitened, Window window, int outputs) {
         double[][] out = new double[outputs][];
         for (int o = 0; o < outputs; o++) {
-            double[] spectrum = new double[2 * window.lines()];
-            for (int line = 0; line < window.lines(); line++) {
-                spectrum[2 * line] = whitened[2 * (line * outputs + o)];
-                spectrum[2 * line + 1] = whitened[2 * (line * outputs + o) + 1];
-            }
-            out[o] = window.series(spectrum);
+            out[o] = window.series(Arrays.copyOfRange(whitened, 2 * window.lines() * o, 2 * window.lines() * (o + 1)));
         }
         return out;
     }

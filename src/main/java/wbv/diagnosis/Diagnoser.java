@@ -82,7 +82,11 @@ public final class Diagnoser {
         return diagnose(Question.of(model, recording), progress);
     }
 
-    /** Diagnoses, with what else is known. @param progress as for the shorter form */
+    /**
+     * Diagnoses, with what else is known.
+     *
+     * @param progress as for the shorter form
+     */
     public static Diagnosis diagnose(Question question, BiConsumer<String, Double> progress) {
         return examine(question, progress).diagnosis();
     }
@@ -292,7 +296,11 @@ public final class Diagnoser {
         return fit.reduced() < most && refinement.heldOut(fit) < most;
     }
 
-    /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
+    /**
+     * A diagnosis in which a person's own force counts as noise.
+     *
+     * @param known hypotheses fitted without it, to be fitted again
+     */
     private Diagnosed judge(Candidate baseline, List<Fitter.State> known) {
         Fitter.State base = search.base(baseline);
         return conclude(baseline, base, again(base, known));

@@ -59,10 +59,10 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     /**
      * A part of the mismatch.
      *
-     * @param band  lowest and highest frequency of its middle four fifths [Hz]
-     * @param time  first and last moment of its middle four fifths [s]
+     * @param band  two numbers: lowest and highest frequency of its middle four fifths [Hz]
+     * @param time  two numbers: first and last moment of its middle four fifths [s]
      * @param share part of the whole mismatch, 0 to 1
-     * @param times mean square over all noise that reaches this channel: 1 is noise alone
+     * @param times mean square over all noise that reaches this channel [1]: 1 is noise alone
      */
     public record Located(String channel, double[] band, double[] time, double share, double times) {}
 
@@ -93,28 +93,38 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     /**
      * A law that was learned.
      *
-     * @param where   link @param formula of its force, which pulls the ends of the link together [N]
+     * @param where   link
+     * @param formula of its force, which pulls the ends of the link together [N]
      * @param terms   that add up to it, as {@code model.json} has them
      * @param rivals  other laws that were fitted, likeliest first
      */
     public record LearnedLaw(String where, String formula, List<Learned> terms, List<Rival> rivals) {
 
-        /** Another law. @param probability against all that were fitted @param reduced mean square of the whitened residual with it */
+        /**
+         * Another law.
+         *
+         * @param probability against all that were fitted
+         * @param reduced mean square of the whitened residual with it
+         */
         public record Rival(String formula, double probability, double reduced) {}
     }
 
-    /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */
+    /**
+     * A place that carries the mismatch as an arbitrary signal.
+     *
+     * @param reduced mean square of the whitened residual that is left then: 1 if that place explains all
+     */
     public record Latent(String kind, String where, double reduced) {}
 
     /**
      * How well the models fit, on data used (fit) and not used (held out) for it.
      *
      * @param given       mean square of the whitened residual with the user's own values, in the fit's window
-     * @param before      with fitted values, in the fit's window
-     * @param after       with what was found
-     * @param heldBefore  as before, held out
-     * @param heldAfter   as after, held out
-     * @param heldOut     first and last moment of the held-out window [s]
+     * @param before      with fitted values, likewise
+     * @param after       with what was found, likewise
+     * @param heldBefore  likewise, with fitted values, held out
+     * @param heldAfter   likewise, with what was found, held out
+     * @param heldOut     two numbers: first and last moment of the held-out window [s]
      * @param channels    errors held out, by channel
      * @param bands       the same in bands, by channel and then from the lowest
      * @param sensors     small errors that the sensors were found to have beside the last model, by channel (or {@code input}) and by
@@ -150,13 +160,21 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * Held-out error of a channel, in all or in a band: root mean square over that of the channel's whole signal, so that the squares of
      * the bands add up.
      *
-     * @param band    lowest and highest frequency [Hz]
-     * @param signal  part of the channel's power that lies in the band
-     * @param before  without what was found @param after with it @param floor what noise alone would leave
+     * @param band    two numbers: lowest and highest frequency [Hz]
+     * @param signal  share of the channel's power that lies in the band
+     * @param before  without what was found
+     * @param after with it
+     * @param floor ratio that noise alone would leave
      * @param removed part of what is above the noise that went; NaN where there was too little to remove
      */
     public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {}
 
-    /** A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said. */
+    /**
+     * A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said.
+     *
+     * @param value a ratio of {@link Proof}
+     * @param low   end of that ratio
+     * @param high  end of that ratio
+     */
     public record Ranged(double value, double low, double high) {}
 }

@@ -54,7 +54,11 @@ public record DisplayedNumber(String label, double factor, String unit) {
         return new DisplayedNumber(label(key), 1, "");
     }
 
-    /** A number alone, with its unit. @param value in the key's unit */
+    /**
+     * A number alone, with its unit.
+     *
+     * @param value in the key's unit
+     */
     String text(double value) {
         return significant(factor * value, 4) + tail();
     }
@@ -63,7 +67,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
      * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known,
      * that side: {@code not identifiable, at most 0.06 mm/s}.
      *
-     * @param value in the key's unit @param interval likewise
+     * @param value in the key's unit
+     * @param interval likewise
      */
     String text(double value, Interval interval) {
         double low = factor * interval.low();

@@ -15,7 +15,8 @@ import wbv.diagnosis.mechanism.Told;
  * @param at        positions of the coordinates that it depends on
  * @param weights   b, one for each of them; not used by an amplitude
  * @param amplitude whether u is the root of the sum of squares
- * @param reference of the number @param unit of the number; 0 for one that is found by factors
+ * @param reference of the number
+ * @param unit of the number; 0 for one that is found by factors
  */
 record Estimand(String key, int[] at, double[] weights, boolean amplitude, double reference, double unit) {
 

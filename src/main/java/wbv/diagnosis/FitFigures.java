@@ -23,7 +23,10 @@ final class FitFigures {
         this.heldBefore = heldBefore;
     }
 
-    /** @param chosen the last model @param heldAfter what it leaves on data not used */
+    /**
+     * @param chosen the last model
+     * @param heldAfter what it leaves on data not used
+     */
     Diagnosis.Fit of(Fitter.State chosen, double heldAfter) {
         Evidence evidence = fits.evidence();
         double rate = evidence.recording().clock().rate();

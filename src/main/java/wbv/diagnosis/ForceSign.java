@@ -45,7 +45,11 @@ final class ForceSign {
         this.evidence = evidence;
     }
 
-    /** A question with forces turned. @param sentence that says which, and why */
+    /**
+     * A question with forces turned.
+     *
+     * @param sentence that says which, and why
+     */
     record Turned(Question question, String sentence) {}
 
     /** The question with those forces turned that are of the other sign; empty where none is, or nothing tells. */

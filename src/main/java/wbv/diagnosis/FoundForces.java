@@ -15,7 +15,8 @@ import wbv.diagnosis.fit.Fitter;
 /**
  * What the laws that were found do in their links, run free from the recording's start. Arrays are not copied: treat them as read-only.
  *
- * @param time    of each sample [s] @param newtons by link, positive where the force pulls its ends together
+ * @param time    by sample [s]
+ * @param newtons by link, positive where the force pulls its ends together
  */
 public record FoundForces(double[] time, Map<String, double[]> newtons) {
 

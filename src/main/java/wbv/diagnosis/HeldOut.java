@@ -51,7 +51,8 @@ final class HeldOut {
      * Energy by cell of one output in one band.
      *
      * @param all  of the signal in all bands, against which errors are seen
-     * @param own  of the signal in this band @param floor energy of the noise in the whole window
+     * @param own  of the signal in this band
+     * @param floor energy of the noise in the whole window
      */
     private record Slice(String channel, double[] band, double[] all, double[] own, double[] before, double[] after,
             double floor) {}

@@ -67,7 +67,11 @@ final class Imitations {
         }
     }
 
-    /** What is likelier than the model's numbers alone; empty where nothing is. @param base that leaves no more than noise */
+    /**
+     * What is likelier than the model's numbers alone; empty where nothing is.
+     *
+     * @param base that leaves no more than noise
+     */
     public Optional<Weighed> in(Fitter.State base) {
         if (evidence.onRig()) {
             return Optional.empty();
@@ -101,7 +105,11 @@ final class Imitations {
                 .get(0));
     }
 
-    /** Beside the best of what may be taken for it. @param imitated fits that are likelier than the base */
+    /**
+     * Beside the best of what may be taken for it.
+     *
+     * @param imitated fits that are likelier than the base
+     */
     private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
         Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
         Whereabouts where = Whereabouts.anywhere(evidence, base.candidate())

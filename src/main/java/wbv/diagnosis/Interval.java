@@ -3,8 +3,8 @@ package wbv.diagnosis;
 /**
  * Where a number lies with 95 %.
  *
- * @param low  end; minus infinity where the recording sets none
- * @param high end; infinity where the recording sets none
+ * @param low  end, in the number's unit; minus infinity where the recording sets none
+ * @param high end, in the number's unit; infinity where the recording sets none
  * @param from what it was worked out from
  */
 public record Interval(double low, double high, Source from) {
@@ -23,7 +23,11 @@ public record Interval(double low, double high, Source from) {
         }
     }
 
-    /** Of a normal distribution. @param std infinite where the recording tells nothing */
+    /**
+     * Of a normal distribution.
+     *
+     * @param std infinite where the recording tells nothing
+     */
     static Interval normal(double value, double std) {
         return new Interval(value - Z * std, value + Z * std, Source.CURVATURE);
     }
@@ -36,7 +40,11 @@ public record Interval(double low, double high, Source from) {
         return low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
     }
 
-    /** Whether a value lies in it, ends included. */
+    /**
+     * Whether a value lies in it, ends included.
+     *
+     * @param value in the number's unit
+     */
     public boolean contains(double value) {
         return low <= value && value <= high;
     }

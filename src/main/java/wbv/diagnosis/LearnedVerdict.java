@@ -42,7 +42,9 @@ final class LearnedVerdict {
     /**
      * The diagnosis where the best fit holds a law that was learned.
      *
-     * @param refused what was said without it @param rivals other laws @param probability of this one against them
+     * @param refused what was said without it
+     * @param rivals other laws
+     * @param probability of this one against them
      */
     Diagnosed learned(Diagnosis refused, List<Diagnosis.LearnedLaw.Rival> rivals, double probability) {
         Values values = new Values(evidence, best);
@@ -75,7 +77,9 @@ final class LearnedVerdict {
      * The diagnosis of mechanisms one of which has another form than the library's: what it does beside that was learned, and stands beside
      * its name.
      *
-     * @param named what was said without it @param held what it leaves on data not used without it @param rivals other corrections
+     * @param named what was said without it
+     * @param held what it leaves on data not used without it
+     * @param rivals other corrections
      */
     Diagnosed corrected(Diagnosis named, double held, List<Diagnosis.LearnedLaw.Rival> rivals) {
         Values values = new Values(evidence, best);

@@ -41,7 +41,10 @@ final class PlainFaults {
         this.evidence = evidence;
     }
 
-    /** @param base without anything added @param best a sensor that clips in it has no other fault here */
+    /**
+     * @param base without anything added
+     * @param best a sensor that clips in it has no other fault here
+     */
     List<Diagnosis.Named> in(Fitter.State base, Fitter.State best) {
         List<Diagnosis.Named> out = new ArrayList<>();
         double[] modelled = modelled(best);

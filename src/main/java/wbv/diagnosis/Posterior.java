@@ -26,7 +26,12 @@ record Posterior(Map<Claim, Double> probabilities) {
         probabilities = java.util.Collections.unmodifiableMap(sorted);
     }
 
-    /** A hypothesis that was weighed. @param prior probability before the data, 0 or more @param evidence log of it */
+    /**
+     * A hypothesis that was weighed.
+     *
+     * @param prior probability before the data, 0 or more
+     * @param evidence log of it
+     */
     record Weighed(Claim claim, double prior, double evidence) {}
 
     /**

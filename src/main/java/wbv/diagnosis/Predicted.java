@@ -15,10 +15,11 @@ import wbv.recording.Channel;
  * mean square of {@code recorded - read} over that of {@code recorded}, samples that do not count left out, is
  * {@link Diagnosis.Fit#nrmseAfter}. Arrays are not copied: treat them as read-only.
  *
- * @param time     of each sample [s]: the recording's clock, or the slower one to which a fast recording was brought
- * @param recorded by output and sample, without its mean over the whole recording where constants do not count; NaN where it does not count
- * @param model    the model alone, run free from the recording's start; of a surrogate, with what the simulation gave beside it
- * @param read     the same as its sensors read it, with the small errors that were found on the data of the fit
+ * @param time     by sample [s]: the recording's clock, or the slower one to which a fast recording was brought
+ * @param recorded by output and sample, in its unit, without its mean over the whole recording where constants do not count; NaN where it
+ *                 does not count
+ * @param model    likewise, the model alone, run free from the recording's start; of a surrogate, with what the simulation gave beside it
+ * @param read     likewise, the same as its sensors read it, with the small errors that were found on the data of the fit
  */
 public record Predicted(double[] time, List<Channel> outputs, double[][] recorded, double[][] model, double[][] read) {
 
@@ -38,7 +39,11 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
         return new Predicted(time, evidence.outputs(), recorded, part(model, held), part(read, held));
     }
 
-    /** The same on a clock that began later. @param seconds how much [s] */
+    /**
+     * The same on a clock that began later.
+     *
+     * @param seconds how much [s]
+     */
     public Predicted earlier(double seconds) {
         return new Predicted(Arrays.stream(time).map(t -> t - seconds).toArray(), outputs, recorded, model, read);
     }

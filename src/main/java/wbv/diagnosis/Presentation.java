@@ -30,7 +30,11 @@ final class Presentation {
         return scale;
     }
 
-    /** @param fit of what was found @param masses the scale of it @param diagnosis of the model at that scale */
+    /**
+     * @param fit of what was found
+     * @param masses the scale of it
+     * @param diagnosis of the model at that scale
+     */
     Diagnosed of(Fitter.State fit, MassScale masses, Function<Model, Diagnosis> diagnosis) {
         Evidence evidence = fits.evidence();
         Fitter.State before = scale.applied(fits.base());

@@ -49,7 +49,11 @@ final class Profile {
         this.half = Math.sqrt(variance * rise);
     }
 
-    /** What a side of the interval is. @param u infinite where nothing bounds the number */
+    /**
+     * What a side of the interval is.
+     *
+     * @param u infinite where nothing bounds the number
+     */
     record End(double u, Interval.Source from) {}
 
     private record Point(double u, Fitter.State state) {}

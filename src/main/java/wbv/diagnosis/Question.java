@@ -22,8 +22,7 @@ import wbv.recording.Recording;
 /**
  * What is asked of a diagnosis.
  *
- * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in
- *                   question
+ * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
  * @param provedFrom time from which on the recording serves for the proof only [s], see {@link Rides}; empty for its last part
@@ -61,7 +60,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         return new Question(model, recording, simulation, noise, unitsKnown, provedFrom, other);
     }
 
-    /** The same, proven on what comes from a time on. @param time see {@link Rides#provedFrom} */
+    /**
+     * The same, proven on what comes from a time on.
+     *
+     * @param time see {@link Rides#provedFrom}
+     */
     public Question proved(OptionalDouble time) {
         return new Question(model, recording, simulation, noise, unitsKnown, time, library);
     }

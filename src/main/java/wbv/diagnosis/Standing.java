@@ -65,7 +65,11 @@ final class Standing {
         return new DecisionRule(Priors.USUAL).read(new Posterior(merged));
     }
 
-    /** The likeliest other mechanisms, each once. @param most probability that they may have together */
+    /**
+     * The likeliest other mechanisms, each once.
+     *
+     * @param most probability that they may have together
+     */
     List<Diagnosis.Named> rivals(double most) {
         double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
         double scale = sum > most ? most / sum : 1;
@@ -73,7 +77,11 @@ final class Standing {
         return named(others, posterior, found()).stream().map(rival -> rival.at(scale * rival.probability())).toList();
     }
 
-    /** Single mechanisms as names, each once, likeliest first. @param but that is not among them */
+    /**
+     * Single mechanisms as names, each once, likeliest first.
+     *
+     * @param but that is not among them
+     */
     static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
         Set<Claim> seen = new HashSet<>(Set.of(but));
         return fits.stream().filter(fit -> seen.add(claim(fit)))

@@ -161,7 +161,8 @@ final class Values {
      * everything else gave way; what another formula does lies between, and the geometric mean of the two is taken. On the rig's
      * laws, of which none has the library's formula, errors come out 1.2 times what this gives, root mean square.
      *
-     * @param slope of the number to each coordinate. Not modified. @param white variance of u as the curvature has it
+     * @param slope of the number to each coordinate. Not modified.
+     * @param white variance of u as the curvature has it
      */
     private double form(Hypothesis hypothesis, double[] slope, double white) {
         if (!(hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {

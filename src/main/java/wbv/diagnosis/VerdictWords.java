@@ -30,7 +30,10 @@ final class VerdictWords {
     private final double heldBefore;
     private final MassScale scale;
 
-    /** @param heldBefore what the fitted model leaves on data not used @param scale of its masses */
+    /**
+     * @param heldBefore what the fitted model leaves on data not used
+     * @param scale of its masses
+     */
     VerdictWords(Fits fits, double heldBefore, MassScale scale) {
         this.evidence = fits.evidence();
         this.given = fits.given();
@@ -39,7 +42,11 @@ final class VerdictWords {
         this.scale = scale;
     }
 
-    /** How a sentence ends that names something. @param share of the mismatch that it explains */
+    /**
+     * How a sentence ends that names something.
+     *
+     * @param share of the mismatch that it explains
+     */
     String ending(double share, List<Diagnosis.Named> rivals) {
         return "; explains " + Phrases.percent(share) + " of the mismatch"
                 + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
@@ -47,7 +54,11 @@ final class VerdictWords {
                         + ".");
     }
 
-    /** How a sentence ends that names what the model's numbers imitate. @param numbers those that do */
+    /**
+     * How a sentence ends that names what the model's numbers imitate.
+     *
+     * @param numbers those that do
+     */
     String imitating(Diagnosis.Named numbers) {
         String key = numbers.parameters().keySet().iterator().next();
         return String.format(Locale.ROOT, "; with values alone, %s of %s at %.3g, data that were not used are less likely.", key,
@@ -117,7 +128,11 @@ final class VerdictWords {
                 evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
     }
 
-    /** Where whatever is missing enters, to end a sentence. @param places best first; none where outputs do not tell */
+    /**
+     * Where whatever is missing enters, to end a sentence.
+     *
+     * @param places best first; none where outputs do not tell
+     */
     String entering(List<Diagnosis.Latent> places) {
         return places.isEmpty() ? "."
                 : String.format(Locale.ROOT, "; an arbitrary signal at the %s %s would leave %.3g times.", places.get(0).kind(),

@@ -84,8 +84,11 @@ final class Verdicts {
     /**
      * One way to see a mismatch.
      *
-     * @param fit    what explains it, or the base @param scale of its masses @param rivals what else might be
-     * @param where  places that could carry it, where no name is good enough @param ending of the sentence
+     * @param fit    what explains it, or the base
+     * @param scale of its masses
+     * @param rivals what else might be
+     * @param where  places that could carry it, where no name is good enough
+     * @param ending of the sentence
      */
     private record Finding(Diagnosis.Verdict verdict, Fitter.State fit, MassScale scale, List<Diagnosis.Named> missing,
             List<Diagnosis.Named> rivals, List<Diagnosis.Latent> where, String ending) {}
@@ -184,7 +187,11 @@ final class Verdicts {
         return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1), places, words.entering(places));
     }
 
-    /** Whether a model as its user gave it may turn out to lack nothing. @param given it on what is fitted */
+    /**
+     * Whether a model as its user gave it may turn out to lack nothing.
+     *
+     * @param given it on what is fitted
+     */
     static boolean mayBeRight(Fitter.State given) {
         return given.reduced() < PLAIN;
     }
@@ -253,7 +260,11 @@ final class Verdicts {
                 && told.stream().allMatch(number -> number.unit() > 0 && named.intervals().get(number.key()).contains(number.nothing()));
     }
 
-    /** A force that nobody measured, as a finding. @param masses their scale */
+    /**
+     * A force that nobody measured, as a finding.
+     *
+     * @param masses their scale
+     */
     private Diagnosis.Named push(BodyForce force, MassScale masses, double probability) {
         double rms = masses.factor() * force.rms();
         return new Diagnosis.Named(new UnmeasuredForce().word(), evidence.model().bodies().get(force.body()).name(), probability,

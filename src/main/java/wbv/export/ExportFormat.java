@@ -20,7 +20,11 @@ public enum ExportFormat {
     /** An XML file of MuJoCo, and a Python file beside it with what MuJoCo has not. */
     MUJOCO;
 
-    /** The format of a word in any case. @throws IllegalArgumentException if it is none: the message names those that are */
+    /**
+     * The format of a word in any case.
+     *
+     * @throws IllegalArgumentException if it is none: the message names those that are
+     */
     public static ExportFormat of(String word) {
         return Arrays.stream(values()).filter(each -> each.name().equalsIgnoreCase(word)).findFirst().orElseThrow(
                 () -> new IllegalArgumentException("'" + word + "' is none of the formats " + Arrays.toString(values())));
@@ -32,7 +36,11 @@ public enum ExportFormat {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Writes a model, all of it or nothing. @return what there is to say about it, in one line; empty for nothing */
+    /**
+     * Writes a model, all of it or nothing.
+     *
+     * @return what there is to say about it, in one line; empty for nothing
+     */
     public String write(Model model, Path out) throws IOException {
         if (model.outputs().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be read");

@@ -70,7 +70,11 @@ sealed interface Expression {
                 ? new Choice(choice.condition().renamed(other), choice.then().renamed(other), choice.otherwise().renamed(other)) : this;
     }
 
-    /** Reads {@code x < 0 ? -k * x : exp(x)}. @throws IllegalArgumentException where it cannot be read */
+    /**
+     * Reads {@code x < 0 ? -k * x : exp(x)}.
+     *
+     * @throws IllegalArgumentException where it cannot be read
+     */
     static Expression parse(String text) {
         Reader reader = new Reader(text);
         Expression out = reader.choice();

@@ -22,7 +22,10 @@ final class FmuFile {
 
     private static final List<String> COMPILERS = List.of("cc", "gcc", "clang");
 
-    /** @param bytes of the archive @param remark whether it has a binary */
+    /**
+     * @param bytes of the archive
+     * @param remark whether it has a binary
+     */
     record Made(byte[] bytes, String remark) {}
 
     private FmuFile() {}

@@ -49,7 +49,11 @@ final class PythonText {
         return text.out + "\n\n" + Parts.usedBy(text.out + "main", "runtime.py");
     }
 
-    /** What MuJoCo has not, for a model in an XML file. @param laws that MuJoCo has not */
+    /**
+     * What MuJoCo has not, for a model in an XML file.
+     *
+     * @param laws that MuJoCo has not
+     */
     static String besideMujoco(Model model, List<LawAt> laws, String file) {
         PythonText text = new PythonText(model, laws);
         text.head("what " + file + " has not, for MuJoCo", "needs NumPy and mujoco (pip install mujoco)");
@@ -70,7 +74,10 @@ final class PythonText {
         sensors();
     }
 
-    /** @param purpose behind the model's name @param need of the file */
+    /**
+     * @param purpose behind the model's name
+     * @param need of the file
+     */
     private void head(String purpose, String need) {
         String inputs = model.excitations().stream().map(Object::toString).collect(Collectors.joining(", "));
         line("\"\"\"" + Names.plain(model.name()) + ": " + purpose + ".");

@@ -22,7 +22,11 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         }
     }
 
-    /** The complex response at a frequency [Hz]. @param response real and imaginary part. Modified. */
+    /**
+     * The complex response at a frequency [Hz].
+     *
+     * @param response real and imaginary part [1], two long. Modified.
+     */
     public void response(double frequency, double[] response) {
         response[0] = 1;
         response[1] = 0;
@@ -31,7 +35,7 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         }
     }
 
-    /** Modulus of the response at a frequency [Hz]. */
+    /** Modulus of the response [1] at a frequency [Hz]. */
     public double modulus(double frequency) {
         double[] response = new double[2];
         response(frequency, response);
@@ -54,7 +58,11 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
         throw new IllegalStateException("the filter has no low-pass section to be differentiated by");
     }
 
-    /** The filter as a cascade for samples, by the bilinear transform. @param rate [Hz] */
+    /**
+     * The filter as a cascade for samples, by the bilinear transform.
+     *
+     * @param rate [Hz]
+     */
     public Cascade cascade(double rate) {
         return new Cascade(sections.stream().map(section -> section.bilinear(rate)).toList());
     }
@@ -63,7 +71,8 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
      * The memory of the filter as a cascade for samples, by the matched transform, of which {@link Correction} makes the filter: sections
      * that forget within two samples are left to that.
      *
-     * @param rate [Hz] @param frequency where the moduli are true [Hz]
+     * @param rate [Hz]
+     * @param frequency where the moduli are true [Hz]
      */
     Cascade matched(double rate, double frequency) {
         return new Cascade(sections.stream().filter(section -> section.remembers(rate) > FORGOTTEN)

@@ -4,19 +4,32 @@ import java.io.Serializable;
 
 /** A second-order section {@code (b0 + b1 s + b2 s²) / (a0 + a1 s + a2 s²)}, s in rad/s. */
 record AnalogSection(double b0, double b1, double b2, double a0, double a1, double a2) implements Serializable {
-    /** {@code s² / (s² + (ω/Q) s + ω²)}: ISO 8041-1 Formula (1). @param corner [Hz] */
+    /**
+     * {@code s² / (s² + (ω/Q) s + ω²)}: ISO 8041-1 Formula (1).
+     *
+     * @param corner [Hz]
+     */
     static AnalogSection highPass(double corner, double q) {
         double w = 2 * Math.PI * corner;
         return new AnalogSection(0, 0, 1, w * w, w / q, 1);
     }
 
-    /** {@code 1 / (1 + s/(Qω) + (s/ω)²)}: ISO 8041-1 Formula (2). @param corner [Hz] */
+    /**
+     * {@code 1 / (1 + s/(Qω) + (s/ω)²)}: ISO 8041-1 Formula (2).
+     *
+     * @param corner [Hz]
+     */
     static AnalogSection lowPass(double corner, double q) {
         double w = 2 * Math.PI * corner;
         return new AnalogSection(1, 0, 0, 1, 1 / (q * w), 1 / (w * w));
     }
 
-    /** {@code (1 + 2ζs/ω + (s/ω)²) / (the same of the pole)}. @param zero [rad/s] @param pole [rad/s] */
+    /**
+     * {@code (1 + 2ζs/ω + (s/ω)²) / (the same of the pole)}.
+     *
+     * @param zero [rad/s]
+     * @param pole [rad/s]
+     */
     static AnalogSection resonance(double zero, double zeroDamping, double pole, double poleDamping) {
         return new AnalogSection(1, 2 * zeroDamping / zero, 1 / (zero * zero), 1, 2 * poleDamping / pole, 1 / (pole * pole));
     }
@@ -31,7 +44,11 @@ record AnalogSection(double b0, double b1, double b2, double a0, double a1, doub
         return b1 == 0 && b2 == 0;
     }
 
-    /** Multiplies a complex number by the response at ω [rad/s]. @param value real and imaginary part. Modified. */
+    /**
+     * Multiplies a complex number by the response at ω [rad/s].
+     *
+     * @param value real and imaginary part. Modified.
+     */
     void apply(double w, double[] value) {
         double nRe = b0 - b2 * w * w;
         double nIm = b1 * w;
@@ -61,7 +78,8 @@ record AnalogSection(double b0, double b1, double b2, double a0, double a1, doub
      * The matched transform: zeros and poles s become {@code e^(s/rate)}: b0 b1 b2 a1 a2 with a0 = 1, the modulus true at a frequency. What
      * it lacks of the analog section changes with frequency as slowly as the rate is high, wherever the corners lie.
      *
-     * @param rate [Hz] @param frequency [Hz]
+     * @param rate [Hz]
+     * @param frequency [Hz]
      */
     double[] matched(double rate, double frequency) {
         double[] zeros = roots(b0, b1, b2, rate);
@@ -73,7 +91,11 @@ record AnalogSection(double b0, double b1, double b2, double a0, double a1, doub
         return new double[] {gain, gain * zeros[0], gain * zeros[1], poles[0], poles[1]};
     }
 
-    /** What is left of the slowest part of its memory after a sample. @param rate [Hz] */
+    /**
+     * What is left of the slowest part of its memory after a sample.
+     *
+     * @param rate [Hz]
+     */
     double remembers(double rate) {
         double[] poles = roots(a0, a1, a2, rate);
         double square = poles[0] * poles[0] / 4 - poles[1];

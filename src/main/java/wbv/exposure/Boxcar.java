@@ -13,7 +13,11 @@ final class Boxcar {
 
     private Boxcar() {}
 
-    /** Gain that undoes the droop at a frequency. @param part of the sampling rate, 0 to 0.5 */
+    /**
+     * Gain that undoes the droop at a frequency.
+     *
+     * @param part of the sampling rate, 0 to 0.5
+     */
     static double gain(double part) {
         double x = Math.PI * Math.min(part, HIGHEST);
         return x == 0 ? 1 : x / Math.sin(x);

@@ -32,7 +32,7 @@ public final class Cascade implements Snapshot {
         this.state = new double[2 * coefficients.length / COEFFICIENTS];
     }
 
-    /** Takes the next sample and gives what comes out. */
+    /** Takes the next sample, of any unit, and gives what comes out, in that unit times the gain. */
     public double step(double value) {
         double x = value;
         for (int s = 0, c = 0; s < state.length; s += 2, c += COEFFICIENTS) {
@@ -45,7 +45,11 @@ public final class Cascade implements Snapshot {
         return x;
     }
 
-    /** The same for two samples. @param pair in time order; what comes out takes their place. Modified. */
+    /**
+     * The same for two samples.
+     *
+     * @param pair in time order; what comes out takes their place. Modified.
+     */
     void step(double[] pair) {
         double x0 = pair[0];
         double x1 = pair[1];
@@ -70,7 +74,11 @@ public final class Cascade implements Snapshot {
         pair[1] = x1;
     }
 
-    /** Goes to the state in which a constant input has always been there. */
+    /**
+     * Goes to the state in which a constant input has always been there.
+     *
+     * @param value of any unit
+     */
     public void settle(double value) {
         double x = value;
         for (int s = 0, c = 0; s < state.length; s += 2, c += COEFFICIENTS) {
@@ -82,7 +90,12 @@ public final class Cascade implements Snapshot {
         }
     }
 
-    /** The complex response. @param frequency as a part of the rate @param response real and imaginary part. Modified. */
+    /**
+     * The complex response.
+     *
+     * @param frequency as a part of the rate
+     * @param response real and imaginary part. Modified.
+     */
     void response(double frequency, double[] response) {
         double cos = Math.cos(2 * Math.PI * frequency);
         double sin = -Math.sin(2 * Math.PI * frequency);
@@ -106,12 +119,16 @@ public final class Cascade implements Snapshot {
         response[1] = im;
     }
 
-    /** Takes the memory of another of the same biquads. @param memory two for each. Not modified. */
+    /**
+     * Takes the memory of another of the same biquads.
+     *
+     * @param memory two for each. Not modified.
+     */
     void become(double[] memory) {
         System.arraycopy(memory, 0, state, 0, state.length);
     }
 
-    /** The coefficients b0 b1 b2 a1 a2 of each biquad in turn. */
+    /** The coefficients b0 b1 b2 a1 a2 [1] of each biquad in turn, as long as five times their number. A copy. */
     public double[] coefficients() {
         return coefficients.clone();
     }

@@ -24,22 +24,38 @@ public enum CautionZone {
         return words;
     }
 
-    /** Lower bound by Eq. B.1, {@code a_w √T} constant [m/s²]. @param hours daily exposure */
+    /**
+     * Lower bound by Eq. B.1, {@code a_w √T} constant [m/s²].
+     *
+     * @param hours daily exposure
+     */
     public static double lower(double hours) {
         return LOWER_AT_8_H * Math.sqrt(8 / hours);
     }
 
-    /** Upper bound by Eq. B.1 [m/s²]. @param hours daily exposure */
+    /**
+     * Upper bound by Eq. B.1 [m/s²].
+     *
+     * @param hours daily exposure
+     */
     public static double upper(double hours) {
         return UPPER_AT_8_H * Math.sqrt(8 / hours);
     }
 
-    /** Lower bound by Eq. B.2, {@code a_w T^¼} constant: a dose of 8.5 [m/s²]. @param hours daily exposure */
+    /**
+     * Lower bound by Eq. B.2, {@code a_w T^¼} constant: a dose of 8.5 [m/s²].
+     *
+     * @param hours daily exposure
+     */
     public static double lowerByDose(double hours) {
         return LOWER_DOSE / (ESTIMATE * Math.sqrt(Math.sqrt(3600 * hours)));
     }
 
-    /** Upper bound by Eq. B.2: a dose of 17 [m/s²]. @param hours daily exposure */
+    /**
+     * Upper bound by Eq. B.2: a dose of 17 [m/s²].
+     *
+     * @param hours daily exposure
+     */
     public static double upperByDose(double hours) {
         return UPPER_DOSE / (ESTIMATE * Math.sqrt(Math.sqrt(3600 * hours)));
     }

@@ -62,13 +62,21 @@ public enum ComfortAxis {
         return rotates() ? weighting.filter().differentiated() : weighting.filter();
     }
 
-    /** Total of a point, {@code √(Σ k² a_w²)} [m/s²]. @param levels r.m.s. by axis; those of other points are left out */
+    /**
+     * Total of a point, {@code √(Σ k² a_w²)} [m/s²].
+     *
+     * @param levels r.m.s. by axis; those of other points are left out
+     */
     public static double total(String point, Map<ComfortAxis, Double> levels) {
         return Math.sqrt(levels.entrySet().stream().filter(entry -> entry.getKey().point.equals(point))
                 .mapToDouble(ComfortAxis::square).sum());
     }
 
-    /** Overall total value a_v of all axes measured [m/s²]. @param levels r.m.s. by axis */
+    /**
+     * Overall total value a_v of all axes measured [m/s²].
+     *
+     * @param levels r.m.s. by axis
+     */
     public static double total(Map<ComfortAxis, Double> levels) {
         return Math.sqrt(levels.entrySet().stream().mapToDouble(ComfortAxis::square).sum());
     }

@@ -22,7 +22,9 @@ final class Correction {
     /**
      * The taps, in the order of the values that they weigh, the oldest first.
      *
-     * @param cascade of the filter at the rate @param rate of the values [Hz] @param band where the signal ends [Hz], below half the rate
+     * @param cascade of the filter at the rate
+     * @param rate of the values [Hz]
+     * @param band where the signal ends [Hz], below half the rate
      */
     static double[] taps(AnalogFilter filter, Cascade cascade, double rate, double band) {
         double[][] products = new double[LENGTH][LENGTH];

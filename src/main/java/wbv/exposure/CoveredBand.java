@@ -20,7 +20,12 @@ public record CoveredBand(double from, double to, double nominal) {
         }
     }
 
-    /** The band of a weighting that a rate covers. @param rate sampling rate [Hz] @throws IllegalArgumentException if it covers none */
+    /**
+     * The band of a weighting that a rate covers.
+     *
+     * @param rate sampling rate [Hz]
+     * @throws IllegalArgumentException if it covers none
+     */
     public static CoveredBand of(Weighting weighting, double rate) {
         return new CoveredBand(weighting.nominalFrom(), Math.min(weighting.nominalTo(), rate / SAMPLES_PER_PERIOD),
                 weighting.nominalTo());

@@ -75,7 +75,7 @@ public record DailyExposure(List<DailyTask> tasks) {
         return vdv(worstVdv());
     }
 
-    /** Points of the HSE's count on the worst axis. */
+    /** Points of the HSE's count on the worst axis [1]. */
     public double points() {
         return Directive.points(a8());
     }

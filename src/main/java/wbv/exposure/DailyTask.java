@@ -69,7 +69,7 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
         return shortest;
     }
 
-    /** Points an hour of this task, on its worst axis. */
+    /** Points an hour of this task, on its worst axis [1/h]. */
     public double pointsAnHour() {
         double worst = factored(worst());
         return Directive.points(worst) / 8;

@@ -25,12 +25,12 @@ public enum Directive {
         return vdv;
     }
 
-    /** Points by the HSE's count, in which the action value is 100. */
+    /** Points by the HSE's count [1], in which the action value is 100. */
     public double points() {
         return points(a8);
     }
 
-    /** Points of a daily exposure A(8) [m/s²]: {@code 100 (A/0.5)²}. Points of tasks add up to those of the day. */
+    /** Points [1] of a daily exposure A(8) [m/s²]: {@code 100 (A/0.5)²}. Points of tasks add up to those of the day. */
     public static double points(double a8) {
         double ratio = a8 / ACTION.a8;
         return 100 * ratio * ratio;

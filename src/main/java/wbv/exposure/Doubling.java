@@ -44,7 +44,11 @@ final class Doubling implements Snapshot {
         Arrays.fill(ring, value);
     }
 
-    /** Takes a sample. @param pair the sample of {@link #delay} ago and what lies between it and the next. Modified. */
+    /**
+     * Takes a sample.
+     *
+     * @param pair the sample of {@link #delay} ago and what lies between it and the next. Modified.
+     */
     void step(double value, double[] pair) {
         int width = taps.length;
         ring[head] = value;

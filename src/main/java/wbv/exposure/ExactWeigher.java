@@ -45,7 +45,7 @@ public final class ExactWeigher implements Weigher {
      * Lays out blocks for a filter and a rate; nothing is weighted yet.
      *
      * @param rate   sampling rate [Hz]
-     * @param mean   of all samples
+     * @param mean   of all samples, in their unit
      * @param boxcar true if a sample is the mean over the sampling period, so that its droop is undone
      * @param sink   takes the weighted values
      */

@@ -15,7 +15,11 @@ public final class Meter implements Snapshot {
         this.statistics = statistics;
     }
 
-    /** A meter for a stream: no delay beyond a second at the beginning, nothing allocated. @param rate [Hz] @see StreamWeigher */
+    /**
+     * A meter for a stream: no delay beyond a second at the beginning, nothing allocated.
+     *
+     * @param rate [Hz] @see StreamWeigher
+     */
     public static Meter stream(AnalogFilter filter, double rate, boolean boxcar) {
         int factor = StreamWeigher.factor(rate);
         WeightedStatistics statistics = new WeightedStatistics(rate * factor, factor, StreamWeigher.between(rate));
@@ -31,7 +35,12 @@ public final class Meter implements Snapshot {
         return new Meter(stream.fresh(other), other);
     }
 
-    /** A meter for a recording whose mean is known. @param rate [Hz] @see ExactWeigher */
+    /**
+     * A meter for a recording whose mean is known.
+     *
+     * @param rate [Hz]
+     * @param mean in the samples' unit @see ExactWeigher
+     */
     public static Meter exact(AnalogFilter filter, double rate, double mean, boolean boxcar) {
         return exact(filter, rate, mean, boxcar, (value, running) -> {});
     }

@@ -41,13 +41,21 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
      */
     public record Spine(double dose, long peaks, double seconds) {}
 
-    /** Weighted acceleration and its running r.m.s. over 1 s, drawn small. @param step between the values they hold [s] */
+    /**
+     * Weighted acceleration and its running r.m.s. over 1 s, drawn small.
+     *
+     * @param step between the values they hold [s]
+     */
     public record History(Envelope weighted, Envelope running, double step) {}
 
     /** One-third-octave r.m.s. values [m/s²], as measured and weighted; the same bands. */
     public record Spectrum(ThirdOctaves measured, ThirdOctaves weighted) {}
 
-    /** The recording as one of a day's tasks. @param minutes daily [min] */
+    /**
+     * The recording as one of a day's tasks.
+     *
+     * @param minutes daily [min]
+     */
     public DailyTask task(String name, double minutes) {
         Map<SeatAxis, Vibration.Level> levels = new EnumMap<>(SeatAxis.class);
         axes.forEach((axis, vibration) -> levels.put(axis, vibration.level()));

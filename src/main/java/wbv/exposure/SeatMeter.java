@@ -260,7 +260,7 @@ public final class SeatMeter {
                 .ifPresent(channel -> comfort.put(axis, line(channel, axis.filter())));
     }
 
-    /** Takes a row on the uniform clock, its time first; NaN is missing. Not modified. */
+    /** Takes a row on the uniform clock: its time [s], then by channel what each reads, in its own unit; NaN is missing. Not modified. */
     public void accept(double[] row) {
         for (int i = 0; i < columns.length; i++) {
             gathered[i][rows] = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];

@@ -58,12 +58,22 @@ public final class SpinalDose implements DoubleConsumer {
         return peaks + (peak > 0 ? 1 : 0);
     }
 
-    /** Dose of a day of one task, {@code Dz (td/tm)^(1/6)} [m/s²]. @param daily td @param measured tm, in the same unit */
+    /**
+     * Dose of a day of one task, {@code Dz (td/tm)^(1/6)} [m/s²].
+     *
+     * @param dose Dz [m/s²]
+     * @param daily td, in the unit of tm
+     * @param measured tm, in the same unit
+     */
     public static double daily(double dose, double daily, double measured) {
         return dose * Math.pow(daily / measured, 1.0 / 6);
     }
 
-    /** Dose of a day of several tasks, {@code (Σ Dzd_j⁶)^(1/6)} [m/s²]. @param doses of the tasks in a day */
+    /**
+     * Dose of a day of several tasks, {@code (Σ Dzd_j⁶)^(1/6)} [m/s²].
+     *
+     * @param doses of the tasks in a day [m/s²]
+     */
     public static double together(double... doses) {
         double all = 0;
         for (double each : doses) {

@@ -6,7 +6,7 @@ package wbv.exposure;
  * @param sex      whose strength and size are assumed
  * @param startAge when exposure began b [years]
  * @param years    of exposure n, at least 1
- * @param days     of exposure a year N, above 0
+ * @param days     of exposure a year N [days], above 0
  */
 public record SpinalRisk(Sex sex, int startAge, int years, double days) {
 
@@ -37,12 +37,20 @@ public record SpinalRisk(Sex sex, int startAge, int years, double days) {
         }
     }
 
-    /** Daily compressive stress Sd, Formula C.1 [MPa]. @param dose Dzd [m/s²] */
+    /**
+     * Daily compressive stress Sd, Formula C.1 [MPa].
+     *
+     * @param dose Dzd [m/s²]
+     */
     public double stress(double dose) {
         return sex.stress * dose;
     }
 
-    /** Stress variable R, Formulae C.3 and C.4; infinite where a year begins with no strength left. @param dose Dzd [m/s²] */
+    /**
+     * Stress variable R [1], Formulae C.3 and C.4; infinite where a year begins with no strength left.
+     *
+     * @param dose Dzd [m/s²]
+     */
     public double variable(double dose) {
         double load = stress(dose) * Math.pow(days, 1.0 / 6);
         double sum = 0;
@@ -56,7 +64,11 @@ public record SpinalRisk(Sex sex, int startAge, int years, double days) {
         return Math.pow(sum, 1.0 / 6);
     }
 
-    /** Probability of injury, Formula C.5, 0 to 1. @param dose Dzd [m/s²] */
+    /**
+     * Probability of injury, Formula C.5, 0 to 1.
+     *
+     * @param dose Dzd [m/s²]
+     */
     public double probability(double dose) {
         return -Math.expm1(-Math.pow(variable(dose) / sex.scale, sex.shape));
     }

@@ -79,7 +79,11 @@ public final class StreamWeigher implements Weigher, Snapshot {
         this.sink = sink;
     }
 
-    /** Another of the same filters, which they share, that has heard nothing. @param sink takes its weighted values */
+    /**
+     * Another of the same filters, which they share, that has heard nothing.
+     *
+     * @param other takes its weighted values
+     */
     StreamWeigher fresh(Sink other) {
         return new StreamWeigher(this, other);
     }

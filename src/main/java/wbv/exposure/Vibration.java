@@ -24,17 +24,17 @@ public record Vibration(double seconds, double missing, double rms, double devia
     /** VDV / (a_w T^¼) above which shocks need more than r.m.s. (ISO 2631-1 6.3.3). */
     public static final double GREATEST_VDV_RATIO = 1.75;
 
-    /** Greatest modulus over a_w; 0 where nothing moves. */
+    /** Greatest modulus over a_w [1]; 0 where nothing moves. */
     public double crestFactor() {
         return ratio(peak, rms);
     }
 
-    /** MTVV over a_w; 0 where nothing moves. */
+    /** MTVV over a_w [1]; 0 where nothing moves. */
     public double mtvvRatio() {
         return ratio(mtvv, rms);
     }
 
-    /** VDV over a_w T^¼; 0 where nothing moves. */
+    /** VDV over a_w T^¼ [1]; 0 where nothing moves. */
     public double vdvRatio() {
         return ratio(vdv, rms * Math.sqrt(Math.sqrt(seconds)));
     }
@@ -48,12 +48,21 @@ public record Vibration(double seconds, double missing, double rms, double devia
         return crestFactor() > GREATEST_CREST || mtvvRatio() > GREATEST_MTVV_RATIO || vdvRatio() > GREATEST_VDV_RATIO;
     }
 
-    /** Dose value of a steady vibration of this r.m.s., {@code 1.4 a_w T^¼} [m/s^1.75]. Thesis: Eq. 2-3. @param time T [s] */
+    /**
+     * Dose value of a steady vibration of this r.m.s., {@code 1.4 a_w T^¼} [m/s^1.75]. Thesis: Eq. 2-3.
+     *
+     * @param time T [s]
+     */
     public double estimatedDose(double time) {
         return estimatedDose(rms, time);
     }
 
-    /** {@code 1.4 a_w T^¼} [m/s^1.75]. @param rms a_w [m/s²] @param time T [s] */
+    /**
+     * {@code 1.4 a_w T^¼} [m/s^1.75].
+     *
+     * @param rms a_w [m/s²]
+     * @param time T [s]
+     */
     public static double estimatedDose(double rms, double time) {
         return 1.4 * rms * Math.sqrt(Math.sqrt(time));
     }
@@ -92,7 +101,11 @@ public record Vibration(double seconds, double missing, double rms, double devia
             this(rms, Double.NaN, Double.NaN, 1);
         }
 
-        /** Dose value of another duration of the same vibration [m/s^1.75]. @param time [s] */
+        /**
+         * Dose value of another duration of the same vibration [m/s^1.75].
+         *
+         * @param time [s]
+         */
         public double dose(double time) {
             return vdv * Math.sqrt(Math.sqrt(time / seconds));
         }

@@ -20,11 +20,19 @@ public sealed interface Weigher permits ExactWeigher, StreamWeigher {
             return Double.POSITIVE_INFINITY;
         }
 
-        /** Hears a value between the last ones. It is one more look at the signal, not more of it. */
+        /**
+         * Hears a value between the last ones. It is one more look at the signal, not more of it.
+         *
+         * @param value in the values' unit
+         */
         default void between(double value) {}
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /**
+     * Takes the next sample; NaN is missing.
+     *
+     * @param value [m/s²], or [rad/s] of what turns
+     */
     void accept(double value);
 
     /** Ends the stream. Feed nothing afterwards. */

@@ -43,7 +43,11 @@ public final class WeightedStatistics implements Weigher.Sink, Snapshot {
     private double blockMean;
     private double blockScatter;
 
-    /** Statistics of no value yet, of values as they were sampled. @param rate of the values [Hz] */
+    /**
+     * Statistics of no value yet, of values as they were sampled.
+     *
+     * @param rate of the values [Hz]
+     */
     public WeightedStatistics(double rate) {
         this(rate, 1, 1);
     }

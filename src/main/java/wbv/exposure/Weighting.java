@@ -94,17 +94,24 @@ public enum Weighting {
     /**
      * How far a weighting may be off at a frequency.
      *
-     * @param below part that may be lacking, 0 to 1
-     * @param above part that may be too much
+     * @param below share that may be lacking, 0 to 1
+     * @param above share that may be too much
      */
     public record Tolerance(double below, double above) {}
 
-    /** @param gain K @param f3 [Hz] @param f4 [Hz] */
+    /**
+     * @param gain K
+     * @param f3 [Hz]
+     * @param f4 [Hz]
+     */
     private record Transition(double f3, double f4, double q4, double gain) {
         private static final Transition NONE = new Transition(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 1);
     }
 
-    /** @param f5 [Hz] @param f6 [Hz] */
+    /**
+     * @param f5 [Hz]
+     * @param f6 [Hz]
+     */
     private record Step(double f5, double q5, double f6, double q6) {
         private static final Step NONE = new Step(Double.POSITIVE_INFINITY, 1, Double.POSITIVE_INFINITY, 1);
     }

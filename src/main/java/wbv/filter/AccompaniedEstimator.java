@@ -33,10 +33,10 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
     }
 
     /**
-     * The output that goes with the next samples of all inputs, from everything before them. Changes nothing.
+     * The output that goes with the next samples of all inputs, from everything before them [m/s² or rad/s]. Changes nothing.
      *
-     * @param u      input; NaN if missing
-     * @param others other motions; NaN if missing. Not modified.
+     * @param u      input [m/s² or rad/s]; NaN if missing
+     * @param others other motions, by motion, each in its own unit; NaN if missing. Not modified.
      */
     public double predict(double u, double[] others) {
         return estimator.predict(u) + cross.foresee(others);
@@ -45,9 +45,9 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
     /**
      * Takes the next sample.
      *
-     * @param u      motion of the base; NaN if missing
-     * @param others other motions of the base; NaN if missing. Not modified.
-     * @param y      motion of the body; NaN if missing
+     * @param u      motion of the base [m/s² or rad/s]; NaN if missing
+     * @param others other motions of the base, by motion, each in its own unit; NaN if missing. Not modified.
+     * @param y      motion of the body, in the unit of u; NaN if missing
      * @return the estimator's track, its prediction that of the whole output
      */
     public BodyEstimate step(double u, double[] others, double y) {

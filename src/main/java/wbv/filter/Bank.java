@@ -79,7 +79,10 @@ final class Bank implements BodyFilter {
         JointFilter filter(double drift);
     }
 
-    /** @param model of the mixture; its own  @param offsetDecay what is left of the sensors' offset after a sample */
+    /**
+     * @param model of the mixture; its own
+     * @param offsetDecay what is left of the sensors' offset after a sample
+     */
     Bank(Spec spec, BodyModel model, double offsetDecay, Maker maker) {
         int n = model.size();
         int k = FACTORS.length;
@@ -281,7 +284,11 @@ final class Bank implements BodyFilter {
         }
     }
 
-    /** {@code δ = Σ s_i d_i}. @param shares sum to 1. Not modified. */
+    /**
+     * {@code δ = Σ s_i d_i}.
+     *
+     * @param shares sum to 1. Not modified.
+     */
     private void moveTo(double[] shares) {
         double first = shares[0];
         double second = shares[1];

@@ -64,7 +64,11 @@ public final class BodyEstimate implements Serializable, Snapshot {
         reseeds = 0;
     }
 
-    /** What was heard at this sample. @param change whether it is one of the body */
+    /**
+     * What was heard at this sample.
+     *
+     * @param change whether it is one of the body
+     */
     void hear(ChangeTest test, boolean change) {
         heard = test;
         changed = change;
@@ -103,7 +107,11 @@ public final class BodyEstimate implements Serializable, Snapshot {
         return dampingDeviation[0];
     }
 
-    /** Natural frequency of a mode [Hz]. @param mode from 0, the slowest, to below {@link #modes} */
+    /**
+     * Natural frequency of a mode [Hz].
+     *
+     * @param mode from 0, the slowest, to below {@link #modes}
+     */
     public double frequency(int mode) {
         return frequency[mode];
     }

@@ -138,7 +138,12 @@ public final class BodyEstimator implements Estimator {
         return (BodyEstimator) Estimator.super.copy();
     }
 
-    /** Begins anew from parameters that others found. @param xi read where they are @param deviation of each of them */
+    /**
+     * Begins anew from parameters that others found.
+     *
+     * @param xi read where they are
+     * @param deviation of each of them
+     */
     void seedFrom(double[] xi, double[] deviation) {
         tries = ELSEWHERE.length;
         restartAt(xi, deviation);
@@ -317,7 +322,11 @@ public final class BodyEstimator implements Estimator {
         return adapts ? noise.variance() : spec.outputNoise() * spec.outputNoise();
     }
 
-    /** True if the filter is lost. @param s variance of the innovation */
+    /**
+     * True if the filter is lost.
+     *
+     * @param s variance of the innovation
+     */
     private boolean judge(double s) {
         boolean settled = vigil.settled();
         double believed = filter.innovation().believed();

@@ -30,19 +30,35 @@ sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFi
     /** The body may have changed: parameters become uncertain, and with them the motion. */
     void doubt();
 
-    /** Time passes without samples. @param samples how many would have come */
+    /**
+     * Time passes without samples.
+     *
+     * @param samples how many would have come
+     */
     void rest(double samples);
 
     /** The output, offset included, that an input sample after those of the window goes with. Changes nothing. */
     double foresee(InputWindow window, double input);
 
-    /** Over one sampling interval. @param hold whether parameters are to be held at this sample */
+    /**
+     * Over one sampling interval.
+     *
+     * @param hold whether parameters are to be held at this sample
+     */
     void advance(InputWindow window, boolean hold);
 
-    /** Takes the output that goes with the motion as advanced. @param samplesInOne how many innovations are worth one */
+    /**
+     * Takes the output that goes with the motion as advanced.
+     *
+     * @param samplesInOne how many innovations are worth one
+     */
     void correct(double y, double variance, double samplesInOne);
 
-    /** Learns the parameters' process noise from the last correction. @param width of the alarm's window [samples] */
+    /**
+     * Learns the parameters' process noise from the last correction.
+     *
+     * @param width of the alarm's window [samples]
+     */
     void learnDrift(long width);
 
     /** What the output depends on just now. */

@@ -16,7 +16,11 @@ sealed interface ChangeTests extends Serializable, Snapshot permits OwnInnovatio
     /** Whether they listen while the body is being found, before the alarm does. */
     boolean listenEarly();
 
-    /** ν²/S that the alarm is to hear. @param own of the estimate */
+    /**
+     * ν²/S that the alarm is to hear.
+     *
+     * @param own of the estimate
+     */
     double nis(double own);
 
     /**
@@ -30,7 +34,11 @@ sealed interface ChangeTests extends Serializable, Snapshot permits OwnInnovatio
      */
     ChangeTest hear(double nis, double normalised, double slope, OutputNoise noise);
 
-    /** Whether it is the body that changed when the alarm rings. @param rose whether ν²/S has become larger */
+    /**
+     * Whether it is the body that changed when the alarm rings.
+     *
+     * @param rose whether ν²/S has become larger
+     */
     boolean isOfTheBody(boolean rose);
 
     /** Whether the filter must learn the body anew after a change, so that nothing can be heard meanwhile. */

@@ -34,7 +34,11 @@ final class Cloud implements Serializable {
         }
     }
 
-    /** Variances alone. @param walk added to those of the last numbers. Not modified. */
+    /**
+     * Variances alone.
+     *
+     * @param walk added to those of the last numbers. Not modified.
+     */
     void spreadOf(double[][] points, double[] weights, double[] mean, double[] walk) {
         for (int i = 0; i < n; i++) {
             double sum = 0;

@@ -42,8 +42,8 @@ public final class CorrectionFunction {
     /**
      * For the motion that a filter shall be held against, of which f is a mean.
      *
-     * @param u motion of the base, all samples; NaN if missing. Not modified.
-     * @param y motion of the body, as many. Not modified.
+     * @param u motion of the base by sample [m/s² or rad/s]; NaN if missing. Not modified.
+     * @param y motion of the body, as long, in the same unit. Not modified.
      * @param adapts whether the noise adapts, as in the adapted filter, or is the sensor's, as in the textbook's
      */
     public CorrectionFunction(Spec spec, double[] u, double[] y, boolean adapts) {
@@ -63,10 +63,12 @@ public final class CorrectionFunction {
     /**
      * The function at one place.
      *
-     * @param correction f for ln ω and ln ζ [1 a sample]
-     * @param move       G⁻¹ f, the way the parameters go
+     * @param frequency  where: natural frequency [Hz]
+     * @param damping    where: damping ratio
+     * @param correction f for ln ω and ln ζ [1 a sample], two long
+     * @param move       G⁻¹ f, the way the parameters go: ln ω and ln ζ [1], two long
      * @param stable     whether they return when moved away from a zero: judged by {@link #converge} alone, false elsewhere
-     * @param meanSquare of the innovations
+     * @param meanSquare of the innovations, in the square of their unit
      */
     public record Value(double frequency, double damping, double[] correction, double[] move, boolean stable, double meanSquare) {
 
@@ -197,6 +199,8 @@ public final class CorrectionFunction {
     /**
      * Where the parameters go from a start: {@code θ ← θ + G⁻¹ f(θ)} until they rest, or leave the bounds of {@link Spec}.
      *
+     * @param frequency natural frequency of the start [Hz]
+     * @param damping   damping ratio of the start
      * @return the last place; stable if it is a rest to which they return from all four sides
      */
     public Value converge(double frequency, double damping) {

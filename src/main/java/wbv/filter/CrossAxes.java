@@ -109,7 +109,7 @@ public final class CrossAxes implements Serializable, Snapshot {
     /**
      * The part of the next output that the other motions make. Changes nothing.
      *
-     * @param others one sample each; one that is missing, NaN, counts as the one before it. Not modified.
+     * @param others one sample of each, by motion, in its own unit; one that is missing, NaN, counts as the one before it. Not modified.
      * @return in the output's unit; 0 for the first seconds
      */
     public double foresee(double[] others) {
@@ -126,9 +126,9 @@ public final class CrossAxes implements Serializable, Snapshot {
     /**
      * Takes the next sample.
      *
-     * @param u      the estimator's own input; NaN if missing
-     * @param others one sample each; NaN if missing. Not modified.
-     * @param y      output, whole; NaN if missing
+     * @param u      the estimator's own input [m/s² or rad/s]; NaN if missing
+     * @param others one sample of each, by motion, in its own unit; NaN if missing. Not modified.
+     * @param y      output, whole, in the unit of u; NaN if missing
      */
     public void learn(double u, double[] others, double y) {
         if (inputs == 1) {
@@ -166,7 +166,11 @@ public final class CrossAxes implements Serializable, Snapshot {
         return level * (blocked[i] + rise);
     }
 
-    /** One step of the Laguerre functions of an input: a low-pass, then all-passes. @param to from index at. Modified. */
+    /**
+     * One step of the Laguerre functions of an input: a low-pass, then all-passes.
+     *
+     * @param to from index at. Modified.
+     */
     private void respond(int i, double sample, double[] to, int at) {
         double into = gain * sample;
         double outBefore = 0;

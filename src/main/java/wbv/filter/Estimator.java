@@ -34,22 +34,22 @@ public interface Estimator extends Serializable, Snapshot {
     /** What is known after the last sample. The same object always. */
     BodyEstimate track();
 
-    /** Covariance of the estimator's state, row by row. A copy. */
+    /** Covariance of the estimator's state, row by row, in the product of the two states' units. A copy. */
     double[] covariance();
 
     /**
      * The output that goes with the next input sample, from everything before it. Changes nothing.
      *
-     * @param u input; NaN if missing
-     * @return predicted output; NaN before the first sample if the input is missing
+     * @param u input [m/s² or rad/s]; NaN if missing
+     * @return predicted output, in the unit of u; NaN before the first sample if the input is missing
      */
     double predict(double u);
 
     /**
      * Takes the next sample.
      *
-     * @param u motion of the base; NaN if missing
-     * @param y motion of the body; NaN if missing
+     * @param u motion of the base [m/s² or rad/s]; NaN if missing
+     * @param y motion of the body, in the unit of u; NaN if missing
      * @return {@link #track}
      */
     BodyEstimate step(double u, double y);
@@ -57,7 +57,11 @@ public interface Estimator extends Serializable, Snapshot {
     /** As before the first sample. */
     void reset();
 
-    /** |H(f)| of the body as now known. @param f [Hz] */
+    /**
+     * |H(f)| of the body as now known [1].
+     *
+     * @param f [Hz]
+     */
     double modulus(double f);
 
     /** An estimator that continues as this one would, independent of it. */

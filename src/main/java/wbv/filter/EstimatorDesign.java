@@ -78,7 +78,11 @@ public record EstimatorDesign(Method method, int degrees, int particles, long se
         return new EstimatorDesign(method, degrees, particles, number, constraint, skyhook);
     }
 
-    /** The same within bounds. @throws IllegalArgumentException unless it is {@link Method#CONSTRAINED} */
+    /**
+     * The same within bounds.
+     *
+     * @throws IllegalArgumentException unless it is {@link Method#CONSTRAINED}
+     */
     public EstimatorDesign within(Constraint bounds) {
         return new EstimatorDesign(method, degrees, particles, seed, bounds, skyhook);
     }

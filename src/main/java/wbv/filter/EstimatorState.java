@@ -31,7 +31,8 @@ public final class EstimatorState {
      * The estimator of such bytes.
      *
      * @param name   of the bytes, for messages
-     * @param bytes of {@link #of}. Not modified. @param alarms makes the alarms, as they were
+     * @param bytes of {@link #of}. Not modified.
+     * @param alarms makes the alarms, as they were
      * @throws wbv.recording.DataFault if the bytes are no estimator's
      */
     public static Estimator read(String name, byte[] bytes, Supplier<? extends Alarm> alarms) {

@@ -12,7 +12,13 @@ import wbv.snapshot.StateWriter;
 /** Bounds that hold all the time. */
 public record FixedBounds(List<Bound> each) implements Constraint {
 
-    /** One of them. @param mode 0 or 1 */
+    /**
+     * One of them.
+     *
+     * @param mode 0 or 1
+     * @param low in the unit of the attribute
+     * @param high likewise
+     */
     public record Bound(int mode, Bounds.Attribute attribute, double low, double high) implements java.io.Serializable {
 
         public Bound {

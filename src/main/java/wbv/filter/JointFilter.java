@@ -12,8 +12,8 @@ import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
 /**
- * A Kalman filter on {@code ξ = [motion, parameters, d]} of a {@link BodyModel}, d the offset between two sensors that {@link
- * Baseline} has not yet forgotten. Its {@link Moments} make it extended or unscented.
+ * A Kalman filter on {@code ξ = [motion, parameters, d]} of a {@link BodyModel}, d the offset between two sensors, of
+ * which each sample forgets a part. Its {@link Moments} make it extended or unscented.
  *
  * <p>{@code ξ⁻ = g(ξ, u)}, {@code P⁻ = F P Fᵀ + Q}, {@code ν = y - h(ξ⁻)}, {@code S = H P⁻ Hᵀ + R}, {@code K = P⁻ Hᵀ / S},
  * {@code ξ = ξ⁻ + K ν}, {@code P = (I - KH) P⁻ (I - KH)ᵀ + K R Kᵀ}.
@@ -190,7 +190,12 @@ final class JointFilter implements BodyFilter {
         return foresee(model, window, input, offsetDecay, c, ahead);
     }
 
-    /** The output at the end of the window. @param c work @param ahead where the window begins. Modified. */
+    /**
+     * The output at the end of the window.
+     *
+     * @param c work
+     * @param ahead where the window begins. Modified.
+     */
     static double foresee(BodyModel model, InputWindow window, double input, double offsetDecay, double[] c, double[] ahead) {
         window.lookAhead(input);
         int offset = model.offset();

@@ -22,7 +22,10 @@ final class Linearised implements Moments {
     private final double[] work;
     private double variance;
 
-    /** @param model the filter's own, with slopes, set at the mean when called  @param decay of the offset over one sample */
+    /**
+     * @param model the filter's own, with slopes, set at the mean when called
+     * @param decay of the offset over one sample
+     */
     Linearised(BodyModel model, double decay) {
         this.model = model;
         this.decay = decay;
@@ -35,7 +38,12 @@ final class Linearised implements Moments {
         this.work = new double[n * n];
     }
 
-    /** Those of a model, written out where it has one degree of freedom. @param model, decay as the constructor has them */
+    /**
+     * Those of a model, written out where it has one degree of freedom.
+     *
+     * @param model as the constructor has it
+     * @param decay likewise
+     */
     static Moments of(BodyModel model, double decay) {
         return model instanceof OneDegree one ? new LinearisedOne(one, decay) : new Linearised(model, decay);
     }
@@ -144,7 +152,11 @@ final class Linearised implements Moments {
         mirror(p, n);
     }
 
-    /** The upper half becomes what the lower is. @param p n by n. Modified. */
+    /**
+     * The upper half becomes what the lower is.
+     *
+     * @param p n by n. Modified.
+     */
     static void mirror(double[] p, int n) {
         for (int i = 1; i < n; i++) {
             for (int j = 0; j < i; j++) {

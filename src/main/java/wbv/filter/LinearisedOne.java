@@ -23,7 +23,10 @@ final class LinearisedOne implements Moments {
     private double cd;
     private double variance;
 
-    /** @param model the filter's own, with slopes, set at the mean when called  @param decay of the offset over one sample */
+    /**
+     * @param model the filter's own, with slopes, set at the mean when called
+     * @param decay of the offset over one sample
+     */
     LinearisedOne(OneDegree model, double decay) {
         this.model = model;
         this.decay = decay;

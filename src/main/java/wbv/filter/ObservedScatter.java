@@ -56,7 +56,8 @@ final class ObservedScatter implements Serializable, Snapshot {
     /**
      * Hears a sample that could tell about the parameter.
      *
-     * @param move of the parameter since the last sample @param before the filter's variance of it before the correction
+     * @param move of the parameter since the last sample
+     * @param before the filter's variance of it before the correction
      * @param after and after it
      */
     void hear(double move, double before, double after) {
@@ -76,13 +77,21 @@ final class ObservedScatter implements Serializable, Snapshot {
         begin();
     }
 
-    /** Nothing was learned: what the parameter may have drifted adds to what is unknown of it. @param now the filter's variance */
+    /**
+     * Nothing was learned: what the parameter may have drifted adds to what is unknown of it.
+     *
+     * @param now the filter's variance
+     */
     void miss(double now) {
         variance += Math.max(0, now - own);
         own = now;
     }
 
-    /** Variance of the parameter. @param filters the filter's own, which counts if it is more */
+    /**
+     * Variance of the parameter.
+     *
+     * @param filters the filter's own, which counts if it is more
+     */
     double variance(double filters) {
         return Math.max(filters, variance);
     }

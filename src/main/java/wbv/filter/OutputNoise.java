@@ -103,7 +103,10 @@ final class OutputNoise implements Serializable, Snapshot {
         power += (output * output - power) / Math.min(age, POWER_MEMORY * rate);
     }
 
-    /** @param innovation ν [m/s²]  @param predicted H P Hᵀ, the part of ν² that the filter expects */
+    /**
+     * @param innovation ν [m/s²]
+     * @param predicted H P Hᵀ, the part of ν² that the filter expects
+     */
     void learn(double innovation, double predicted) {
         if (age <= TRIAL * rate) {
             return;

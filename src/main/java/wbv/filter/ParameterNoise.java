@@ -25,7 +25,10 @@ final class ParameterNoise implements Serializable, Snapshot {
     private double moment;
     private long count;
 
-    /** @param drift assumed wandering [1/√s]  @param rate [Hz] */
+    /**
+     * @param drift assumed wandering [1/√s]
+     * @param rate [Hz]
+     */
     ParameterNoise(double drift, double rate) {
         this.floor = drift * drift / rate;
         this.cap = Math.max(floor, MOST_DRIFT * MOST_DRIFT / rate);
@@ -36,7 +39,12 @@ final class ParameterNoise implements Serializable, Snapshot {
         count = 0;
     }
 
-    /** Thesis: Eq. 4-24. @param correction e of this sample  @param width length of the alarm's window in samples */
+    /**
+     * Thesis: Eq. 4-24.
+     *
+     * @param correction e of this sample
+     * @param width length of the alarm's window in samples
+     */
     void learn(double correction, long width) {
         count++;
         moment += (correction * correction - moment) / Math.min(count, Math.max(SHORTEST, width));

@@ -24,7 +24,11 @@ final class ParticleSteps implements Serializable {
         this.row = new double[count][2 * modes];
     }
 
-    /** Confines the parameters of a particle to those of a body, and takes its step. @param xi Modified. */
+    /**
+     * Confines the parameters of a particle to those of a body, and takes its step.
+     *
+     * @param xi Modified.
+     */
     void take(int particle, double[] xi) {
         for (int m = 0; m < modes; m++) {
             int i = 2 * modes + 2 * m;

@@ -27,7 +27,14 @@ public final class ShareExplained implements Serializable, Snapshot {
     private double lateError;
     private long lost;
 
-    /** Takes a prediction and what came. @param rate [Hz] @param excited whether something excites the body; missing values are left out */
+    /**
+     * Takes a prediction and what came; missing values are left out.
+     *
+     * @param prediction in the output's unit
+     * @param output     likewise
+     * @param rate       [Hz]
+     * @param excited    whether something excites the body
+     */
     public void accept(double prediction, double output, double rate, boolean excited) {
         if (!Double.isFinite(prediction) || !Double.isFinite(output)) {
             return;

@@ -28,7 +28,10 @@ final class Unscented implements Moments {
     private final double[] crossed;
     private double variance;
 
-    /** @param model one that nobody else sets; slopes are not asked for  @param decay of the offset over one sample */
+    /**
+     * @param model one that nobody else sets; slopes are not asked for
+     * @param decay of the offset over one sample
+     */
     Unscented(BodyModel model, double decay) {
         this.model = model;
         this.decay = decay;

@@ -24,7 +24,9 @@ interface Feed extends Closeable {
      * A place among packets.
      *
      * @param count of all before
-     * @param part  file or round @param at byte in the file or seat @param given packets of that seat and round that were given before
+     * @param part  file or round
+     * @param at byte in the file or seat
+     * @param given packets of that seat and round that were given before
      */
     record Place(long count, int part, long at, int given) {
 
@@ -37,6 +39,10 @@ interface Feed extends Closeable {
     /** A packet. */
     record Read(Packet packet) implements Sent {}
 
-    /** Bytes that are none. @param reason in one line */
+    /**
+     * Bytes that are none.
+     *
+     * @param reason in one line
+     */
     record Unread(byte[] bytes, String reason) implements Sent {}
 }

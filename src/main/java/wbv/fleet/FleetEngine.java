@@ -27,6 +27,7 @@ public interface FleetEngine {
     /**
      * Follows the fleet on machines that are there.
      *
+     * @param between as {@link #local} [s]
      * @param address HOST:PORT of the one that takes orders
      * @param out     as {@link #local}; a folder that all machines see under this name
      */

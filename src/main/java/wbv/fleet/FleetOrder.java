@@ -41,7 +41,11 @@ public record FleetOrder(SeatOrder follow, FleetSource source, double period) {
         this(follow, new FleetSource.Recordings(recordings, seats, size, disturb), HOUR);
     }
 
-    /** The packets of a replay. @throws IllegalStateException if they come from elsewhere */
+    /**
+     * The packets of a replay.
+     *
+     * @throws IllegalStateException if they come from elsewhere
+     */
     public Replay replay() {
         if (source instanceof FleetSource.Recordings replayed) {
             return new Replay(replayed.recordings(), follow.channels(), replayed.seats(), replayed.size(), replayed.disturb().isPresent(),
@@ -97,7 +101,12 @@ public record FleetOrder(SeatOrder follow, FleetSource source, double period) {
         }
     }
 
-    /** Reads an order. @param bytes Not modified. @throws DataFault if they are not those of {@link #bytes} */
+    /**
+     * Reads an order.
+     *
+     * @param bytes Not modified.
+     * @throws DataFault if they are not those of {@link #bytes}
+     */
     public static FleetOrder of(byte[] bytes) {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             SeatOrder follow = SeatOrder.of(in.readNBytes(in.readInt()));

@@ -67,7 +67,7 @@ public final class FleetRun {
             seats = List.copyOf(seats);
         }
 
-        /** Samples that one core takes in a second. */
+        /** Samples that one core takes in a second [1/s]. */
         public double samplesPerCore() {
             return taken / processor;
         }
@@ -107,6 +107,7 @@ public final class FleetRun {
     /**
      * A run of an order.
      *
+     * @param between time between two times that everything is kept [s]
      * @param order of packets that are replayed or in files
      * @param plan  of it
      */

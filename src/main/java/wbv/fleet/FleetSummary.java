@@ -11,7 +11,7 @@ import wbv.seat.SeatResult;
  * @param seats                     that were followed
  * @param samples                   of all seats, in this run and those that it went on with
  * @param resumed_behind            packets of the runs before, 0 for a run from the beginning
- * @param samples_per_second_a_core taken by one core; NaN where that was not measured
+ * @param samples_per_second_a_core taken by one core [1/s]; NaN where that was not measured
  * @param packets                   taken
  * @param came_twice                packets that were there already
  * @param too_late                  packets behind what was waited for
@@ -28,7 +28,14 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
         worst = List.copyOf(worst);
     }
 
-    /** One of the seats worst off. @param a8_m_per_s2 daily exposure @param vdv_m_per_s175 dose */
+    /**
+     * One of the seats worst off.
+     *
+     * @param a8_m_per_s2 daily exposure [m/s²]
+     * @param vdv_m_per_s175 dose [m/s^1.75]
+     * @param minutes_to_action_value [min]
+     * @param minutes_to_limit_value [min]
+     */
     public record Worst(String seat, double a8_m_per_s2, double vdv_m_per_s175, double minutes_to_action_value,
             double minutes_to_limit_value, long lost_samples) {}
 
@@ -58,7 +65,11 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
         return new Worst(seat, exposure.a8(), exposure.vdv(), exposure.minutesToAction(), exposure.minutesToLimit(), lost);
     }
 
-    /** The same in lines for people. @param rate of the samples of one seat [Hz] */
+    /**
+     * The same in lines for people.
+     *
+     * @param rate of the samples of one seat [Hz]
+     */
     public String text(double rate) {
         StringBuilder text = new StringBuilder();
         if (resumed_behind > 0) {

@@ -57,7 +57,8 @@ public final class FleetTable {
      * @param time   by the sensor's clock [s]
      * @param seat   name, as rows have it
      * @param a8     exposure of the shift so far [m/s²], NaN where none is known
-     * @param toAction minutes left to the action value, as its row has them @param toLimit likewise
+     * @param toAction minutes left to the action value, as its row has them
+     * @param toLimit likewise
      * @param lostMinutes since the seat was first heard of
      */
     public record Entry(long period, double time, String seat, double a8, String toAction, String toLimit, double lostMinutes) {
@@ -73,7 +74,11 @@ public final class FleetTable {
         }
     }
 
-    /** What a row says, for the period that its time falls in. @param row of the results */
+    /**
+     * What a row says, for the period that its time falls in.
+     *
+     * @param row of the results
+     */
     public Entry entry(CharSequence row) {
         int name = ResultRows.firstField(row);
         String[] fields = row.subSequence(name, row.length()).toString().strip().split(",", -1); // the first is empty
@@ -84,7 +89,11 @@ public final class FleetTable {
                 exposure ? fields[a8 + 2] : "", exposure ? fields[a8 + 3] : "", Double.parseDouble(fields[lost]) / rate / 60);
     }
 
-    /** Appends the rows of a period's machines, the worst first. @param entries one a seat, in any order */
+    /**
+     * Appends the rows of a period's machines, the worst first.
+     *
+     * @param entries one a seat, in any order
+     */
     public void machines(Collection<Entry> entries, StringBuilder to) {
         Map<String, List<Entry>> machines = new TreeMap<>();
         entries.forEach(each -> machines.computeIfAbsent(each.machine(), name -> new ArrayList<>()).add(each));
@@ -101,7 +110,11 @@ public final class FleetTable {
         });
     }
 
-    /** Appends the rows of a period's worst seats. @param entries one a seat, in any order */
+    /**
+     * Appends the rows of a period's worst seats.
+     *
+     * @param entries one a seat, in any order
+     */
     public void worst(Collection<Entry> entries, StringBuilder to) {
         List<Entry> seats = entries.stream().sorted(WORST_FIRST).limit(LISTED).toList();
         for (int k = 0; k < seats.size(); k++) {
@@ -129,7 +142,11 @@ public final class FleetTable {
         }
     }
 
-    /** Writes machines.csv and worst.csv. @param results file with a header, the rows of each seat in their order */
+    /**
+     * Writes machines.csv and worst.csv.
+     *
+     * @param results file with a header, the rows of each seat in their order
+     */
     public void write(Path results, Path folder) throws IOException {
         Map<Long, Map<String, Entry>> periods = new TreeMap<>();
         try (BufferedReader in = Files.newBufferedReader(results)) {

@@ -47,7 +47,11 @@ final class GrowingFile implements Closeable {
         }
     }
 
-    /** Everything written is on the disk when this returns. @return how many bytes that is */
+    /**
+     * Everything written is on the disk when this returns.
+     *
+     * @return how many bytes that is
+     */
     long force() throws IOException {
         channel.force(true);
         return channel.position();

@@ -69,7 +69,11 @@ public final class PacketFiles implements Closeable {
         return false;
     }
 
-    /** The first packet. @throws DataFault if there is none */
+    /**
+     * The first packet.
+     *
+     * @throws DataFault if there is none
+     */
     public static Packet first(List<Path> files) throws IOException {
         try (PacketFiles all = new PacketFiles(files, 0, 0, 0)) {
             for (Optional<byte[]> next = all.next(); next.isPresent(); next = all.next()) {
@@ -139,7 +143,11 @@ public final class PacketFiles implements Closeable {
         return Math.max(0, length);
     }
 
-    /** Reads on until so many bytes are there. @return whether they are */
+    /**
+     * Reads on until so many bytes are there.
+     *
+     * @return whether they are
+     */
     private boolean has(int wanted) throws IOException {
         while (to - from < wanted && !ended) {
             if (open.isEmpty()) {

@@ -130,7 +130,11 @@ public final class Replay {
         }
     }
 
-    /** Writes all packets to a file, in their order. @return their number */
+    /**
+     * Writes all packets to a file, in their order.
+     *
+     * @return their number
+     */
     public long write(Path file) throws IOException {
         long count = 0;
         try (AtomicFile whole = AtomicFile.begin(file); OutputStream out = new BufferedOutputStream(whole.stream(), 1 << 16)) {

@@ -121,7 +121,11 @@ public final class ResultRows {
         return end;
     }
 
-    /** Bytes that were no packet of the plan's, as a row of unread.csv, with its end. @param bytes Not modified. */
+    /**
+     * Bytes that were no packet of the plan's, as a row of unread.csv, with its end.
+     *
+     * @param bytes Not modified.
+     */
     public static String unread(String reason, byte[] bytes) {
         return '"' + reason.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + "\"," + Base64.getEncoder().encodeToString(bytes) + '\n';
     }

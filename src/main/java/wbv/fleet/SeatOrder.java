@@ -63,7 +63,12 @@ public record SeatOrder(double rate, List<Channel> channels, Method method, bool
         return bytes.toByteArray();
     }
 
-    /** Reads an order. @param bytes Not modified. @throws DataFault if they are not those of {@link #bytes} */
+    /**
+     * Reads an order.
+     *
+     * @param bytes Not modified.
+     * @throws DataFault if they are not those of {@link #bytes}
+     */
     public static SeatOrder of(byte[] bytes) {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             int version = in.readInt();

@@ -34,7 +34,10 @@ final class Binary implements Closeable {
     private final Map<String, Function> functions = new HashMap<>();
     private final Deque<String> said = new ArrayDeque<>();
 
-    /** @param name of the unit, for messages @throws DataFault if the binary cannot be loaded */
+    /**
+     * @param name of the unit, for messages
+     * @throws DataFault if the binary cannot be loaded
+     */
     Binary(Path file, String name) {
         this.name = name;
         try {

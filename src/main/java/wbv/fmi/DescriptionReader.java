@@ -46,7 +46,10 @@ final class DescriptionReader {
         this.xml = xml;
     }
 
-    /** @param name of the unit, for messages @throws DataFault if it is not of FMI 2.0 or 3.0, or damaged */
+    /**
+     * @param name of the unit, for messages
+     * @throws DataFault if it is not of FMI 2.0 or 3.0, or damaged
+     */
     static Description read(Path file, String name) throws IOException {
         XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);

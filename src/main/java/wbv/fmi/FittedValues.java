@@ -25,7 +25,9 @@ import wbv.recording.Recording;
  *
  * <p>Standard deviations are those of blocks of the gradient (White 1980), so that what the residuals have of colour is counted.
  *
- * @param given  start values @param values fitted @param std standard deviations
+ * @param given  start values
+ * @param values fitted
+ * @param std standard deviations
  * @param before root mean square of recorded less simulated over that of recorded, by channel, on the data of the fit, with start values
  * @param after  the same with fitted values
  */
@@ -240,7 +242,8 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
         /**
          * Which combinations of parameters the recording tells.
          *
-         * @param inverse of the normal matrix in these, 0 in the others @param others directions that it does not tell, of length 1
+         * @param inverse of the normal matrix in these, 0 in the others
+         * @param others directions that it does not tell, of length 1
          */
         private record Told(DMatrixRMaj inverse, List<double[]> others) {
 

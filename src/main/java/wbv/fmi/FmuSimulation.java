@@ -80,7 +80,8 @@ public final class FmuSimulation implements Closeable {
     /**
      * Unpacks a unit and finds its inputs and outputs among the channels of a recording. The unit is not run yet.
      *
-     * @param inputs  channels by name of an input, where the names do not say it @param outputs likewise
+     * @param inputs  channels by name of an input, where the names do not say it
+     * @param outputs likewise
      * @throws DataFault   if it is no unit that can be run here, or has no input and output in common with the recording
      * @throws IOException if the file cannot be read
      */
@@ -179,8 +180,9 @@ public final class FmuSimulation implements Closeable {
     /**
      * What a force would change that acts at a place beside all else.
      *
-     * @param place one of {@link #places} @param force [N], as long as the recording. Not modified.
-     * @return by output the difference to the run without it, in the order of {@link #outputs}
+     * @param place one of {@link #places}
+     * @param force [N], as long as the recording. Not modified.
+     * @return by output the difference to the run without it, a series in its own unit, in the order of {@link #outputs}
      */
     public double[][] pushed(String place, double[] force) {
         Variable at = wiring.places().stream().filter(each -> each.name().equals(place)).findFirst()
@@ -193,7 +195,9 @@ public final class FmuSimulation implements Closeable {
     /**
      * How outputs follow parameters: central differences of whole runs, each parameter changed by a thousandth.
      *
-     * @param at values by name; those left out have their start values @param of names of the parameters @param samples from the start
+     * @param at values by name; those left out have their start values
+     * @param of names of the parameters
+     * @param samples from the start
      * @return by parameter, output and sample: SI units of the output per unit of the parameter
      */
     public double[][][] sensitivities(Map<String, Double> at, List<String> of, int samples) {
@@ -253,7 +257,12 @@ public final class FmuSimulation implements Closeable {
                 .orElseThrow(() -> DataFault.in(name, "has no tunable parameter " + parameter + "; there are " + parameters().keySet()));
     }
 
-    /** In SI units. @param more inputs beside those that are wired @param driven by these, in SI units */
+    /**
+     * In SI units.
+     *
+     * @param more inputs beside those that are wired
+     * @param driven by these, in SI units
+     */
     private double[][] outputs(Map<String, Double> values, List<Variable> more, List<InputSignal> driven, int samples) {
         if (fineness.isEmpty()) {
             fineness = Optional.of(chosen());

@@ -17,7 +17,11 @@ final class InputSignal {
     private final double[] fine;
     private final double rate;
 
-    /** @param samples with gaps, which are bridged. Not modified. @param rate [Hz] @param centred whether the mean is taken away */
+    /**
+     * @param samples with gaps, which are bridged. Not modified.
+     * @param rate [Hz]
+     * @param centred whether the mean is taken away
+     */
     InputSignal(double[] samples, double rate, boolean centred) {
         double[] whole = Excitation.bridged(samples);
         double mean = centred ? IntStream.range(0, whole.length).mapToDouble(i -> whole[i]).average().orElse(0) : 0;
@@ -74,7 +78,11 @@ final class InputSignal {
         return sum;
     }
 
-    /** Its value. @param time since the first sample [s]; beyond the ends the nearest value */
+    /**
+     * Its value.
+     *
+     * @param time since the first sample [s]; beyond the ends the nearest value
+     */
     double at(double time) {
         double place = time * rate;
         if (place <= 0 || fine.length < 4) {

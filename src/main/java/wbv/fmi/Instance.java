@@ -25,7 +25,12 @@ interface Instance extends Closeable {
 
     void get(VariableBlock variables);
 
-    /** Steps itself. @param time [s] @param step [s] */
+    /**
+     * Steps itself.
+     *
+     * @param time [s]
+     * @param step [s]
+     */
     void step(double time, double step);
 
     /** One whose inputs may change along straight lines over a step: FMI 2.0 offers that, 3.0 no longer does. */
@@ -44,7 +49,11 @@ interface Instance extends Closeable {
         double next = Double.POSITIVE_INFINITY;
     }
 
-    /** Number of continuous states, as the unit itself counts. @param declared in the description */
+    /**
+     * Number of continuous states, as the unit itself counts.
+     *
+     * @param declared in the description
+     */
     int states(int declared);
 
     int indicators(int declared);
@@ -71,7 +80,8 @@ interface Instance extends Closeable {
     /**
      * Directional derivative: what a change of some variables does to others.
      *
-     * @param unknown whose change is asked for, their values get it @param known that change, their values say by how much
+     * @param unknown whose change is asked for, their values get it
+     * @param known that change, their values say by how much
      * @return false where the unit does not give it
      */
     boolean directional(VariableBlock unknown, VariableBlock known);

@@ -14,7 +14,11 @@ abstract sealed class Run permits CoSimulationRun, ModelExchangeRun {
     private final double[] row;
     private final double[] values;
 
-    /** @param rate of the samples [Hz] @param wired inputs, in the order of the signals @param signals in SI units */
+    /**
+     * @param rate of the samples [Hz]
+     * @param wired inputs, in the order of the signals
+     * @param signals in SI units
+     */
     Run(Instance instance, double rate, List<Variable> wired, List<InputSignal> signals, List<Variable> read) {
         this.instance = instance;
         this.rate = rate;
@@ -43,7 +47,11 @@ abstract sealed class Run permits CoSimulationRun, ModelExchangeRun {
         inputs.write(row);
     }
 
-    /** Reads the outputs into a column. @return whether all are finite */
+    /**
+     * Reads the outputs into a column.
+     *
+     * @return whether all are finite
+     */
     final boolean read(double[][] into, int column) {
         instance.get(outputs);
         outputs.read(values);

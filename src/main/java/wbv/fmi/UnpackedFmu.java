@@ -33,7 +33,10 @@ final class UnpackedFmu implements Closeable {
         Runtime.getRuntime().addShutdownHook(atExit);
     }
 
-    /** @throws DataFault if the file is no unit @throws IOException if it cannot be read */
+    /**
+     * @throws DataFault if the file is no unit
+     * @throws IOException if it cannot be read
+     */
     static UnpackedFmu of(Path file) throws IOException {
         if (Files.isDirectory(file)) {
             throw DataFault.in(file.toString(), "is a folder; name the file that ends in .fmu");
@@ -90,7 +93,11 @@ final class UnpackedFmu implements Closeable {
         return Files.createDirectories(folder.resolve("resources"));
     }
 
-    /** The first of several binaries that is there. @throws DataFault naming the platforms that it was built for, if none is */
+    /**
+     * The first of several binaries that is there.
+     *
+     * @throws DataFault naming the platforms that it was built for, if none is
+     */
     Path binary(List<String> candidates, String name) throws IOException {
         for (String candidate : candidates) {
             Path file = folder.resolve("binaries").resolve(candidate);

@@ -31,7 +31,8 @@ record Wiring(Map<Variable, Channel> inputs, List<Variable> held, List<Variable>
      * Finds channels for variables: named by the user, or as {@code platform.acc.z} or {@code platform_acc_z}, alone or behind the names of
      * components.
      *
-     * @param inputs  channels by name of a variable, as the user said @param outputs likewise
+     * @param inputs  channels by name of a variable, as the user said
+     * @param outputs likewise
      * @throws DataFault if the user named a variable that is none, no input finds a channel, no output is one that was recorded, or units
      *                   disagree
      */

@@ -12,10 +12,10 @@ import java.util.Locale;
  * Arrays are not copied: treat them as read-only.
  *
  * @param rate     [Hz]
- * @param a        a_1 … a_na
- * @param b        of each input, nb coefficients, the first at {@code delay}
+ * @param a        a_1 … a_na [1], na long
+ * @param b        by input, nb coefficients each, in the output's unit over the input's, the first at {@code delay}
  * @param delay    samples before an input acts
- * @param c        c_1 … c_nc
+ * @param c        c_1 … c_nc [1], nc long
  * @param variance of e, in the output's unit squared, &gt;= 0
  */
 public record Armax(double rate, double[] a, double[][] b, int delay, double[] c, double variance) implements Serializable {
@@ -31,19 +31,20 @@ public record Armax(double rate, double[] a, double[][] b, int delay, double[] c
     }
 
     /**
-     * One-step-ahead prediction: each sample of the output from the inputs up to it and the measured output before it.
+     * One-step-ahead prediction, a series in the output's unit: each sample of the output from the inputs up to it and the measured output
+     * before it.
      *
-     * @param initial state at the first sample. Not modified.
+     * @param initial state at the first sample, in the output's unit, {@link Orders#memory} long. Not modified.
      */
     public double[] predict(Samples samples, double[] initial) {
         return run(samples.u(), samples.y(), initial);
     }
 
     /**
-     * Free simulation: the output from the inputs alone.
+     * Free simulation: the output, a series in its own unit, from the inputs alone.
      *
-     * @param u       inputs. Not modified.
-     * @param initial state at the first sample. Not modified.
+     * @param u       by input and sample, each in its own unit. Not modified.
+     * @param initial state at the first sample, in the output's unit, {@link Orders#memory} long. Not modified.
      */
     public double[] simulate(double[][] u, double[] initial) {
         return run(u, new double[0], initial);
@@ -77,7 +78,12 @@ public record Armax(double rate, double[] a, double[][] b, int delay, double[] c
         return out;
     }
 
-    /** |B_i/A| at a frequency. @param input which @param f [Hz], up to half the rate */
+    /**
+     * |B_i/A| at a frequency, in the output's unit over the input's.
+     *
+     * @param input which
+     * @param f [Hz], up to half the rate
+     */
     public double modulus(int input, double f) {
         double w = 2 * Math.PI * f / rate;
         double re = 0;

@@ -19,7 +19,11 @@ final class BatchScatter {
     interface Sink {
         Sink NONE = (k, row, error) -> {};
 
-        /** @param k number of the sample @param row slopes ψ. Not modified. @param error e */
+        /**
+         * @param k number of the sample
+         * @param row slopes ψ. Not modified.
+         * @param error e
+         */
         void add(int k, double[] row, double error);
     }
 
@@ -40,7 +44,11 @@ final class BatchScatter {
         }
     }
 
-    /** Covariance of the first unknowns. @param inverse A⁻¹. Not modified. */
+    /**
+     * Covariance of the first unknowns.
+     *
+     * @param inverse A⁻¹. Not modified.
+     */
     double[][] covariance(DMatrixRMaj inverse, int first) {
         double quantile = new TDistribution(BATCHES - 1).inverseCumulativeProbability(0.975) / 2;
         double factor = quantile * quantile * BATCHES / (BATCHES - 1);

@@ -17,7 +17,10 @@ final class CompanionForm implements Serializable {
     private final double[] first;
     private final double[] second;
 
-    /** @param p A(s) = s^n + p_1 s^(n-1) + … + p_n. Not modified. @param step between samples, in the unit of 1/s */
+    /**
+     * @param p A(s) = s^n + p_1 s^(n-1) + … + p_n. Not modified.
+     * @param step between samples, in the unit of 1/s
+     */
     CompanionForm(double[] p, double step) {
         n = p.length;
         DMatrixRMaj m = new DMatrixRMaj(n + 2, n + 2);
@@ -42,7 +45,11 @@ final class CompanionForm implements Serializable {
         }
     }
 
-    /** States at all samples, n by length: row k is {@code s^k/A u}; at rest before the first sample. @param u Not modified. */
+    /**
+     * States at all samples, n by length: row k is {@code s^k/A u}; at rest before the first sample.
+     *
+     * @param u Not modified.
+     */
     double[][] filter(double[] u) {
         double[][] z = new double[n][u.length];
         double[] x = new double[n];
@@ -70,7 +77,12 @@ final class CompanionForm implements Serializable {
         return z;
     }
 
-    /** States one sample on. @param x states before. Not modified. @param next states after. Modified. */
+    /**
+     * States one sample on.
+     *
+     * @param x states before. Not modified.
+     * @param next states after. Modified.
+     */
     void advance(double[] x, double before, double now, double[] next) {
         for (int i = 0; i < n; i++) {
             double sum = first[i] * before + second[i] * now;

@@ -19,7 +19,10 @@ final class CrossMotions {
     private final double[][] columns;
     private final int samples;
 
-    /** @param inputs without offset, no gaps, all of one length. Not modified. @param samples their length */
+    /**
+     * @param inputs without offset, no gaps, all of one length. Not modified.
+     * @param samples their length
+     */
     CrossMotions(double rate, double[][] inputs, int samples) {
         this.samples = samples;
         this.columns = new double[TERMS * inputs.length][];
@@ -57,7 +60,11 @@ final class CrossMotions {
         return out;
     }
 
-    /** On samples of some weight. @param weight 0 or 1 for each sample. Kept. */
+    /**
+     * On samples of some weight.
+     *
+     * @param weight 0 or 1 for each sample. Kept.
+     */
     On on(double[] weight) {
         return new On(weight);
     }
@@ -89,7 +96,11 @@ final class CrossMotions {
             return weight;
         }
 
-        /** Some of them. @param chosen indices of inputs */
+        /**
+         * Some of them.
+         *
+         * @param chosen indices of inputs
+         */
         Explaining by(List<Integer> chosen) {
             return new Explaining(this, chosen);
         }
@@ -133,14 +144,22 @@ final class CrossMotions {
             return factor.numRows == index.length;
         }
 
-        /** x less what a combination of them explains. @param x weighted, at least as long as the samples. Modified. */
+        /**
+         * x less what a combination of them explains.
+         *
+         * @param x weighted, at least as long as the samples. Modified.
+         */
         void takeOut(double[] x) {
             if (index.length > 0) {
                 takeOut(x, coefficients(x));
             }
         }
 
-        /** The combination nearest to x. @param x weighted */
+        /**
+         * The combination nearest to x.
+         *
+         * @param x weighted
+         */
         double[] coefficients(double[] x) {
             int k = index.length;
             double[] c = new double[k];

@@ -127,7 +127,7 @@ public final class EquivalentBodies {
     /**
      * The body between input and an output.
      *
-     * @param output  samples of the window. Not modified.
+     * @param output  by sample of the window, in its own unit. Not modified.
      * @param degrees 1 or 2, or 0 for two where one does not carry the output and two do better on data they were not fitted to
      * @return empty if nothing moves, or there is too little to fit
      */
@@ -264,7 +264,11 @@ public final class EquivalentBodies {
         return with;
     }
 
-    /** Whether the second errors are smaller, by the scatter of their difference over batches (one-sided). @param looks comparisons made */
+    /**
+     * Whether the second errors are smaller, by the scatter of their difference over batches (one-sided).
+     *
+     * @param looks comparisons made
+     */
     private boolean better(double[] first, double[] second, int looks) {
         SummaryStatistics gains = new SummaryStatistics();
         int length = Math.max((int) Math.ceil(rate), batch / JUDGING);

@@ -26,8 +26,10 @@ public record EquivalentBody(List<Mode> modes, double from, double to, double ex
     /**
      * One mode.
      *
-     * @param frequency natural frequency [Hz] @param frequencyDeviation half of the half width that holds it with 95 % [Hz]
-     * @param damping   damping ratio [1] @param dampingDeviation likewise [1]
+     * @param frequency natural frequency [Hz]
+     * @param frequencyDeviation half of the half width that holds it with 95 % [Hz]
+     * @param damping   damping ratio [1]
+     * @param dampingDeviation likewise [1]
      */
     public record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) {
 

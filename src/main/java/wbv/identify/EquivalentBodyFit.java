@@ -172,7 +172,8 @@ final class EquivalentBodyFit {
     /**
      * Half of the intervals that hold each parameter with 95 %; empty array if the cost has no bottom there.
      *
-     * @param theta at a minimum @param batch samples of one batch
+     * @param theta at a minimum
+     * @param batch samples of one batch
      */
     double[] deviations(double[] theta, int batch) {
         int p = body.parameters();

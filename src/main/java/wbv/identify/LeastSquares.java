@@ -28,7 +28,11 @@ final class LeastSquares {
         java.util.Arrays.fill(right, 0);
     }
 
-    /** Adds the equation {@code row · x = value}. @param row n long. Not modified. */
+    /**
+     * Adds the equation {@code row · x = value}.
+     *
+     * @param row n long. Not modified.
+     */
     void add(double[] row, double value) {
         for (int i = 0; i < n; i++) {
             double r = row[i];

@@ -60,7 +60,11 @@ final class ModalBody {
         return Math.exp(theta[2 * mode + 1]);
     }
 
-    /** Whether a fit may go there: nowhere near overflow, and not beyond what samples can show. @param rate [Hz] */
+    /**
+     * Whether a fit may go there: nowhere near overflow, and not beyond what samples can show.
+     *
+     * @param rate [Hz]
+     */
     boolean within(double[] theta, double rate) {
         for (int m = 0; m < modes; m++) {
             double f = frequency(theta, m);
@@ -83,7 +87,12 @@ final class ModalBody {
         return im;
     }
 
-    /** Evaluates H and its slopes. @param theta parameters @param omega [rad/s] */
+    /**
+     * Evaluates H and its slopes.
+     *
+     * @param theta parameters
+     * @param omega [rad/s]
+     */
     void at(double[] theta, double omega) {
         if (skyhook) {
             skyhook(theta, omega);
@@ -111,7 +120,11 @@ final class ModalBody {
         im[1 + CROSS] = crossIm - im[1 + CROSS];
     }
 
-    /** share × H_m + cross × C_m, its slopes to ln ω and ln ζ, and, of two modes, H_m and C_m themselves. @param at of ln ω */
+    /**
+     * share × H_m + cross × C_m, its slopes to ln ω and ln ζ, and, of two modes, H_m and C_m themselves.
+     *
+     * @param at of ln ω
+     */
     private void mode(double[] theta, int m, double omega, double share, double cross, int at) {
         double w = Math.exp(theta[2 * m]);
         double k = w * w;

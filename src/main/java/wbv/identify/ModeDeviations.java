@@ -16,7 +16,11 @@ final class ModeDeviations {
 
     private ModeDeviations() {}
 
-    /** Of the z-plane. @param rate [Hz] */
+    /**
+     * Of the z-plane.
+     *
+     * @param rate [Hz]
+     */
     static List<EquivalentBody.Mode> ofDiscrete(double[] a, double[][] covariance, double rate) {
         List<EquivalentBody.Mode> modes = new ArrayList<>();
         for (Complex z : above(a)) {

@@ -27,7 +27,11 @@ public final class MotionWindow {
         this.ring = new double[channels][0];
     }
 
-    /** Takes a sample of each channel; NaN is missing. @param values Not modified. */
+    /**
+     * Takes a sample of each channel; NaN is missing.
+     *
+     * @param values one a channel, in its own unit. Not modified.
+     */
     public void accept(double[] values) {
         int at = (int) (samples % capacity);
         if (at == ring[0].length) {
@@ -57,7 +61,7 @@ public final class MotionWindow {
         return (int) Math.min(samples, capacity);
     }
 
-    /** The samples of a channel that are kept, oldest first. A copy. */
+    /** The series of a channel that is kept, in its own unit, oldest first. A copy. */
     public double[] channel(int channel) {
         double[] out = new double[length()];
         int from = (int) (first() % capacity);

@@ -11,7 +11,13 @@ import java.util.List;
  */
 public record OrderSelection(List<Candidate> tried) {
 
-    /** A candidate. @param orders @param fit @param criterion Schwarz's, the lower the better */
+    /**
+     * A candidate.
+     *
+     * @param orders
+     * @param fit
+     * @param criterion Schwarz's [1], the lower the better
+     */
     public record Candidate(Orders orders, ArmaxFit fit, double criterion) {}
 
     public OrderSelection {

@@ -16,7 +16,12 @@ public record Pole(double re, double im) implements Serializable {
         }
     }
 
-    /** The pole of a body. @param frequency natural frequency [Hz], &gt; 0 @param damping ratio, 0 to 1 */
+    /**
+     * The pole of a body.
+     *
+     * @param frequency natural frequency [Hz], &gt; 0
+     * @param damping ratio, 0 to 1
+     */
     public static Pole of(double frequency, double damping) {
         double omega = 2 * Math.PI * frequency;
         return new Pole(-damping * omega, omega * Math.sqrt(1 - damping * damping));

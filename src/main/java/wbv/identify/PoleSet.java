@@ -26,7 +26,7 @@ public record PoleSet(List<Pole> modes, List<Double> decays, List<Pole> growing,
     /**
      * Of {@code 1 + a_1 z⁻¹ + … + a_n z⁻ⁿ}, through {@code s = ln(z)/T}.
      *
-     * @param a    coefficients after the leading 1. Not modified.
+     * @param a    coefficients after the leading 1 [1], n long. Not modified.
      * @param rate 1/T [Hz]
      */
     public static PoleSet ofDiscrete(double[] a, double rate) {
@@ -49,7 +49,7 @@ public record PoleSet(List<Pole> modes, List<Double> decays, List<Pole> growing,
     /**
      * Of {@code s^n + p_1 s^(n-1) + … + p_n}.
      *
-     * @param p coefficients after the leading 1. Not modified.
+     * @param p coefficients after the leading 1, n long, p_i [(rad/s)^i]. Not modified.
      */
     public static PoleSet ofContinuous(double[] p) {
         List<Pole> found = new ArrayList<>();

@@ -10,7 +10,11 @@ final class Polynomial {
 
     private Polynomial() {}
 
-    /** All roots, as eigenvalues of the companion matrix. @param p coefficients after the leading 1. Not modified. */
+    /**
+     * All roots, as eigenvalues of the companion matrix.
+     *
+     * @param p coefficients after the leading 1. Not modified.
+     */
     static Complex_F64[] roots(double[] p) {
         int n = p.length;
         if (n == 0) {

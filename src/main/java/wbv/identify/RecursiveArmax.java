@@ -101,8 +101,9 @@ public final class RecursiveArmax implements Serializable {
     /**
      * Takes the next sample; one with a missing number is passed over.
      *
-     * @param u inputs. Not modified. @param y output
-     * @return the output as predicted before it was seen; NaN if the sample was passed over
+     * @param u one an input, in its own unit. Not modified.
+     * @param y output, in its own unit
+     * @return the output as predicted before it was seen, in its unit; NaN if the sample was passed over
      */
     public double step(double[] u, double y) {
         boolean whole = Double.isFinite(y);
@@ -132,7 +133,11 @@ public final class RecursiveArmax implements Serializable {
         return predicted;
     }
 
-    /** The output that goes with the next sample of the inputs, from everything before it. Changes nothing. @param u Not modified. */
+    /**
+     * The output, in its unit, that goes with the next sample of the inputs, from everything before it. Changes nothing.
+     *
+     * @param u one an input, in its own unit. Not modified.
+     */
     public double foresee(double[] u) {
         int na = orders.na();
         int nb = orders.nb();

@@ -154,7 +154,11 @@ public final class RefinedInstruments {
             return Arrays.copyOfRange(theta, poles + m * nb, unknowns);
         }
 
-        /** Coefficients by instruments: {@code (Σ z φᵀ) θ = Σ z s^n y/A}. @param instrument in place of the output in z */
+        /**
+         * Coefficients by instruments: {@code (Σ z φᵀ) θ = Σ z s^n y/A}.
+         *
+         * @param instrument in place of the output in z
+         */
         private double[] solve(double[] a, double[] instrument) {
             CompanionForm filter = new CompanionForm(a, step);
             double[][] y = filter.filter(samples.y());
@@ -204,7 +208,12 @@ public final class RefinedInstruments {
             return solved;
         }
 
-        /** Inverse of {@code Σ z zᵀ}. @param x simulated output @param scatter hears z and what the simulation leaves */
+        /**
+         * Inverse of {@code Σ z zᵀ}.
+         *
+         * @param x simulated output
+         * @param scatter hears z and what the simulation leaves
+         */
         private DMatrixRMaj information(double[] a, double[] x, BatchScatter scatter) {
             CompanionForm filter = new CompanionForm(a, step);
             double[][] states = filter.filter(x);

@@ -38,7 +38,11 @@ public final class ResponsePool {
 
     private final List<Stretch> stretches = new ArrayList<>();
 
-    /** Spectral lines of one body: frequency [rad/s], output, then every input, all complex. @param omega measured [rad/s] */
+    /**
+     * Spectral lines of one body: frequency [rad/s], output, then every input, all complex.
+     *
+     * @param omega measured [rad/s]
+     */
     private record Stretch(double omega, List<double[]> lines) {}
 
     /**
@@ -303,7 +307,11 @@ public final class ResponsePool {
         im[at] = weight * (a * power[2 * k + 1] + b * power[2 * k]);
     }
 
-    /** Poles right of the least decay are moved left of it. @param a ascending */
+    /**
+     * Poles right of the least decay are moved left of it.
+     *
+     * @param a ascending
+     */
     private static double[] stable(double[] a) {
         int n = a.length;
         double[] descending = new double[n];

@@ -6,8 +6,8 @@ import java.io.Serializable;
  * What a model is identified from: inputs and an output at a uniform rate, none missing. Arrays are not copied: read-only.
  *
  * @param rate samples per second [Hz], &gt; 0
- * @param u    inputs, one array each, at least one
- * @param y    output, as long as each input
+ * @param u    by input and sample, each in its own unit, at least one
+ * @param y    output, in its own unit, as long as each input
  */
 public record Samples(double rate, double[][] u, double[] y) implements Serializable {
 
@@ -30,7 +30,13 @@ public record Samples(double rate, double[][] u, double[] y) implements Serializ
         requireFinite(y, "output");
     }
 
-    /** One input. Neither array is copied or modified. */
+    /**
+     * One input. Neither array is copied or modified.
+     *
+     * @param rate [Hz]
+     * @param u by sample, in its own unit
+     * @param y as long, in its own unit
+     */
     public static Samples of(double rate, double[] u, double[] y) {
         return new Samples(rate, new double[][] {u}, y);
     }

@@ -7,8 +7,8 @@ import java.io.Serializable;
  * all, and a pulsation ω for each. A body whose springs change together keeps its damping ratios and answers with ω alone.
  * Arrays are not copied: treat them as read-only.
  *
- * @param a     {@code A(σ) = σ^n + a_(n-1) σ^(n-1) + … + a_0}, ascending: a_0 … a_(n-1)
- * @param b     numerators, ascending
+ * @param a     {@code A(σ) = σ^n + a_(n-1) σ^(n-1) + … + a_0}, ascending: a_0 … a_(n-1) [1], n long
+ * @param b     numerators by input, ascending, in the output's unit over that of what acts
  * @param rates whether an input is an angular rate, of which the derivative acts
  */
 public record ScaledResponse(double[] a, double[][] b, boolean[] rates) implements Serializable {
@@ -27,7 +27,11 @@ public record ScaledResponse(double[] a, double[][] b, boolean[] rates) implemen
         }
     }
 
-    /** The response of the body with this pulsation. @param omega [rad/s], &gt; 0 */
+    /**
+     * The response of the body with this pulsation.
+     *
+     * @param omega [rad/s], &gt; 0
+     */
     public TransferModel at(double omega) {
         int n = a.length;
         double[] down = new double[n];

@@ -35,7 +35,9 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
      * The body that simulates a stretch best, after what other motions of the base can explain is taken out of both. The input is
      * taken for band-limited, as sensors give it.
      *
-     * @param u      input, without offset and gaps. Not modified. @param others other motions, likewise. Not modified.
+     * @param rate   samples per second [Hz]
+     * @param u      input by sample, in its own unit, without offset and gaps. Not modified.
+     * @param others other motions, likewise. Not modified.
      * @param y      output, likewise. Not modified.
      * @return empty if nothing moves, or the motions cannot be told apart
      */
@@ -74,7 +76,12 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
                 bodies.stream().mapToDouble(SkyhookBody::baseShare).average().orElseThrow());
     }
 
-    /** Output from a band-limited input, at rest before it. @param u without gaps. Not modified. */
+    /**
+     * Output by sample from a band-limited input, in its unit, at rest before it.
+     *
+     * @param u by sample, in its own unit, without gaps. Not modified.
+     * @param rate [Hz]
+     */
     public double[] simulate(double[] u, double rate) {
         RealDft dft = new RealDft(RealDft.covering(u.length + (int) Math.ceil(2 * SETTLING * rate)));
         double[] spectrum = dft.forward(Arrays.copyOf(u, dft.length()));

@@ -6,8 +6,9 @@ import java.io.Serializable;
  * A model in continuous time, {@code y = Σ B_i(s)/A(s) u_i + T(s)/A(s) δ}: common poles, one numerator for each input, and what
  * the motion before the first sample left behind, T. Arrays are not copied: treat them as read-only.
  *
- * @param a {@code A(s) = s^n + a_1 s^(n-1) + … + a_n} in rad/s: a_1 … a_n
- * @param b numerators, highest power first; the last is of s⁰; as many in each, n + 1 at most
+ * @param a {@code A(s) = s^n + a_1 s^(n-1) + … + a_n} n long: a_1 … a_n, a_i [(rad/s)^i]
+ * @param b numerators by input, that of s^m [unit_y/unit_u (rad/s)^(n-m)], highest power first; the last is of s⁰; as many in each, n + 1
+ *          at most
  */
 public record TransferModel(double[] a, double[][] b) implements Serializable {
 
@@ -25,11 +26,11 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
     }
 
     /**
-     * Free simulation: the output from the inputs alone, each straight between its samples.
+     * Free simulation: the output, a series in its own unit, from the inputs alone, each straight between its samples.
      *
-     * @param u       inputs. Not modified.
+     * @param u       by input and sample, each in its own unit. Not modified.
      * @param rate    [Hz]
-     * @param initial T, highest power first, n long. Not modified.
+     * @param initial T, highest power first, n long; coefficient j from 0 on [unit_y (rad/s)^j]. Not modified.
      */
     public double[] simulate(double[][] u, double rate, double[] initial) {
         if (u.length != b.length || initial.length != a.length) {
@@ -56,7 +57,12 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
         return y;
     }
 
-    /** |B_i/A| at a frequency. @param input which @param f [Hz] */
+    /**
+     * |B_i/A| at a frequency, in the output's unit over the input's.
+     *
+     * @param input which
+     * @param f [Hz]
+     */
     public double modulus(int input, double f) {
         double w = 2 * Math.PI * f;
         double[] down = new double[a.length + 1];
@@ -76,7 +82,10 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
         return Math.hypot(re, im);
     }
 
-    /** @param z row k is {@code s^k/A} of something @param weights highest power first */
+    /**
+     * @param z row k is {@code s^k/A} of something
+     * @param weights highest power first
+     */
     private static void add(double[][] z, double[] weights, double[] y) {
         for (int k = 0; k < z.length; k++) {
             double weight = weights[z.length - 1 - k];

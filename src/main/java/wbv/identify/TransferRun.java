@@ -21,7 +21,11 @@ public final class TransferRun implements Serializable {
     private CompanionForm filter;
     private boolean begun;
 
-    /** A run from rest. @param rate [Hz] */
+    /**
+     * A run from rest.
+     *
+     * @param rate [Hz]
+     */
     public TransferRun(TransferModel model, double rate) {
         this.rate = rate;
         this.inputs = model.b().length;
@@ -64,7 +68,11 @@ public final class TransferRun implements Serializable {
         }
     }
 
-    /** The output that goes with the next sample of the inputs. Changes nothing. @param u Not modified. */
+    /**
+     * The output, in its unit, that goes with the next sample of the inputs. Changes nothing.
+     *
+     * @param u one an input, in its own unit. Not modified.
+     */
     public double foresee(double[] u) {
         double y = 0;
         for (int i = 0; i < inputs; i++) {
@@ -79,7 +87,11 @@ public final class TransferRun implements Serializable {
         return y;
     }
 
-    /** The output that goes with the next sample of the inputs. @param u Not modified. */
+    /**
+     * The output, in its unit, that goes with the next sample of the inputs.
+     *
+     * @param u one an input, in its own unit. Not modified.
+     */
     public double step(double[] u) {
         double y = 0;
         for (int i = 0; i < inputs; i++) {

@@ -18,12 +18,20 @@ public record TunedResponse(ScaledResponse response, double reference, double ex
         }
     }
 
-    /** ω [rad/s] of the body whose measured pole has this pulsation. @param measured ω_m [rad/s], &gt; 0 */
+    /**
+     * ω [rad/s] of the body whose measured pole has this pulsation.
+     *
+     * @param measured ω_m [rad/s], &gt; 0
+     */
     public double pulsation(double measured) {
         return reference * Math.pow(measured / reference, exponent);
     }
 
-    /** The response of that body. */
+    /**
+     * The response of that body.
+     *
+     * @param measured ω_m [rad/s]
+     */
     public TransferModel at(double measured) {
         return response.at(pulsation(measured));
     }

@@ -14,7 +14,11 @@ public final class AdwinAlarm implements Alarm {
     private final double delta;
     private ADWIN window;
 
-    /** An empty window. @param delta probability of a false cut at one look, in (0, 1) */
+    /**
+     * An empty window.
+     *
+     * @param delta probability of a false cut at one look, in (0, 1)
+     */
     public AdwinAlarm(double delta) {
         if (!(delta > 0 && delta < 1)) {
             throw new IllegalArgumentException("delta must be in (0, 1): " + delta);

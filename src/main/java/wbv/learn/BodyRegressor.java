@@ -57,7 +57,11 @@ abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLe
         return feed().estimator().spec();
     }
 
-    /** |H(f)| of the body as now known. @param f [Hz] */
+    /**
+     * |H(f)| of the body as now known.
+     *
+     * @param f [Hz]
+     */
     public final double modulus(double f) {
         return feed().estimator().modulus(f);
     }

@@ -17,7 +17,12 @@ public final class DatagramSource implements LineSource {
     private final DatagramSocket socket;
     private final String name;
 
-    /** Opens a port. @param at where to listen; port 0 takes a free one @throws DataFault if it is taken or not ours */
+    /**
+     * Opens a port.
+     *
+     * @param at where to listen; port 0 takes a free one
+     * @throws DataFault if it is taken or not ours
+     */
     public DatagramSource(InetSocketAddress at) throws IOException {
         try {
             socket = new DatagramSocket(at);

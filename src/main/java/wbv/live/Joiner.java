@@ -21,7 +21,11 @@ final class Joiner {
     private long first;
     private long newest;
 
-    /** @param rate of each [Hz] @param width of a whole row, the time with it @param sensors how many there are */
+    /**
+     * @param rate of each [Hz]
+     * @param width of a whole row, the time with it
+     * @param sensors how many there are
+     */
     Joiner(double rate, int width, int sensors) {
         this.rate = rate;
         this.sensors = sensors;

@@ -58,7 +58,11 @@ public final class Keep implements Closeable {
     private boolean untold;
     private OutputStream journal = OutputStream.nullOutputStream();
 
-    /** Makes the folder; nothing is put back or written yet. @param folder made if it is not there */
+    /**
+     * Makes the folder; nothing is put back or written yet.
+     *
+     * @param folder made if it is not there
+     */
     public Keep(Path folder) throws IOException {
         this.folder = folder;
         Files.createDirectories(folder);
@@ -197,12 +201,20 @@ public final class Keep implements Closeable {
         length += entry.length;
     }
 
-    /** Whether the journal is long or old. @param now [ns] */
+    /**
+     * Whether the journal is long or old.
+     *
+     * @param now [ns]
+     */
     boolean due(long now) {
         return length > LONG || length > 0 && now - written > OLD;
     }
 
-    /** Writes a snapshot of all seats, and begins another journal. @param now [ns] */
+    /**
+     * Writes a snapshot of all seats, and begins another journal.
+     *
+     * @param now [ns]
+     */
     void save(List<LiveSeat> seats, long now) {
         writer.begin();
         writer.put(seats.size());

@@ -20,7 +20,12 @@ public interface LineSource extends Closeable {
          */
         void line(String sender, String seat, byte[] text, int from, int to);
 
-        /** Bytes that are no line: longer than any. @param start the first of them. Not to be modified. @param length how many are there */
+        /**
+         * Bytes that are no line: longer than any.
+         *
+         * @param start the first of them. Not to be modified.
+         * @param length how many are there
+         */
         void tooLong(String sender, byte[] start, int length);
 
         /** All lines at hand were taken; some time may pass until the next. */
@@ -30,7 +35,11 @@ public interface LineSource extends Closeable {
     /** What it is, in a few words: {@code standard input}, {@code UDP port 5555}. */
     String name();
 
-    /** Hands on what comes, until there is no more, or someone closes the source. @throws IOException if it cannot be read on */
+    /**
+     * Hands on what comes, until there is no more, or someone closes the source.
+     *
+     * @throws IOException if it cannot be read on
+     */
     void run(Receiver receiver) throws IOException;
 
     /** Ends {@link #run}, from another thread. */

@@ -22,7 +22,11 @@ public final class LiveRun {
     private final CountDownLatch done = new CountDownLatch(1);
     private volatile boolean stopped;
 
-    /** Nothing runs yet. @param pace of a replay, times real time; infinite to take lines as fast as they come */
+    /**
+     * Nothing runs yet.
+     *
+     * @param pace of a replay, as a multiple of real time [1]; infinite to take lines as fast as they come
+     */
     public LiveRun(LiveStream live, List<LineSource> sources, double pace) {
         this.live = live;
         this.sources = List.copyOf(sources);
@@ -84,7 +88,11 @@ public final class LiveRun {
         }
     }
 
-    /** Waits until {@link #run} has ended. @param milliseconds at most */
+    /**
+     * Waits until {@link #run} has ended.
+     *
+     * @param milliseconds at most
+     */
     public void await(long milliseconds) throws InterruptedException {
         done.await(milliseconds, TimeUnit.MILLISECONDS);
     }

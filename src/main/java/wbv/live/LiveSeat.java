@@ -91,7 +91,13 @@ final class LiveSeat {
         this.clock = new RowClock(rate);
     }
 
-    /** Takes a row. @param of its channels, the same list for rows alike @param row time, then the channels. Not kept. @param now [ns] */
+    /**
+     * Takes a row.
+     *
+     * @param of its channels, the same list for rows alike
+     * @param row time, then the channels. Not kept.
+     * @param now [ns]
+     */
     void accept(List<Channel> of, double[] row, long now) {
         heard = now;
         if (silent) {
@@ -204,7 +210,11 @@ final class LiveSeat {
         joiner = apart > 1 ? new Joiner(rate, whole.length, apart) : null;
     }
 
-    /** A seat that was kept, before its state is loaded. @throws DataFault if nothing can be done with it any more */
+    /**
+     * A seat that was kept, before its state is loaded.
+     *
+     * @throws DataFault if nothing can be done with it any more
+     */
     static LiveSeat kept(String name, double rate, List<Channel> channels, int apart, Planner planner, Listener listener, long now) {
         LiveSeat kept = new LiveSeat(name, OptionalDouble.of(rate), planner, listener);
         kept.channels.addAll(channels);
@@ -214,7 +224,11 @@ final class LiveSeat {
         return kept;
     }
 
-    /** Takes a packet that was taken before the program ended. @param aloud whether its results are told */
+    /**
+     * Takes a packet that was taken before the program ended.
+     *
+     * @param aloud whether its results are told
+     */
     void again(Packet packet, boolean aloud) {
         seat.accept(packet, aloud ? this::told : curves::remember);
         resume(packet.counter() + 1, packet.end());
@@ -346,7 +360,12 @@ final class LiveSeat {
         }
     }
 
-    /** Time passes. @param now [ns] @param longest silence that needs no telling [ns] */
+    /**
+     * Time passes.
+     *
+     * @param now [ns]
+     * @param longest silence that needs no telling [ns]
+     */
     void tick(long now, long longest) {
         if (!silent && now - heard > longest) {
             silent = true;

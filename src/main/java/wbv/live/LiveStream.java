@@ -82,7 +82,11 @@ public final class LiveStream implements LineSource.Receiver {
         this(settings, out, aside, Optional.empty(), clock);
     }
 
-    /** A stream that can go on where it ended. @param keep where seats are kept over the end of the program; empty for nowhere */
+    /**
+     * A stream that can go on where it ended.
+     *
+     * @param keep where seats are kept over the end of the program; empty for nowhere
+     */
     public LiveStream(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
         this.settings = settings;
         this.out = out;
@@ -295,7 +299,11 @@ public final class LiveStream implements LineSource.Receiver {
         notice("", time, severity, kind, reason, advice, false);
     }
 
-    /** Begins: tells where samples come from. @param version of the program */
+    /**
+     * Begins: tells where samples come from.
+     *
+     * @param version of the program
+     */
     public synchronized void begin(String from, String version) {
         source = from;
         out.line(Records.begin(from, version));

@@ -24,7 +24,11 @@ final class Packing {
     private double due = Double.NaN;
     private long counter;
 
-    /** @param rate of the samples [Hz] @param width values of a sample @param to takes packets */
+    /**
+     * @param rate of the samples [Hz]
+     * @param width values of a sample
+     * @param to takes packets
+     */
     Packing(String seat, double rate, int width, Consumer<Packet> to) {
         this.seat = seat;
         this.rate = rate;
@@ -35,13 +39,22 @@ final class Packing {
         Arrays.fill(nothing, Double.NaN);
     }
 
-    /** Goes on behind a packet. @param number of the next @param end where it begins [s] */
+    /**
+     * Goes on behind a packet.
+     *
+     * @param number of the next
+     * @param end where it begins [s]
+     */
     void goOn(long number, double end) {
         counter = number;
         due = end;
     }
 
-    /** A sample. @param row time, then the values. Not kept. */
+    /**
+     * A sample.
+     *
+     * @param row time, then the values. Not kept.
+     */
     void take(double[] row) {
         add(row[0], row, 1);
     }

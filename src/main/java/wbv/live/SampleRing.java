@@ -7,13 +7,20 @@ final class SampleRing {
     private final float[][] values;
     private long next;
 
-    /** @param length samples held @param curves values of a sample */
+    /**
+     * @param length samples held
+     * @param curves values of a sample
+     */
     SampleRing(int length, int curves) {
         times = new double[length];
         values = new float[curves][length];
     }
 
-    /** Begins a sample. @param time [s] */
+    /**
+     * Begins a sample.
+     *
+     * @param time [s]
+     */
     void add(double time) {
         int at = (int) (next++ % times.length);
         times[at] = time;

@@ -15,7 +15,12 @@ public final class StreamSource implements LineSource {
     private final InputStream stream;
     private volatile boolean closed;
 
-    /** Reads nothing before it is run. @param name for messages @param stream closed by {@link #close} */
+    /**
+     * Reads nothing before it is run.
+     *
+     * @param name for messages
+     * @param stream closed by {@link #close}
+     */
     public StreamSource(String name, InputStream stream) {
         this.name = name;
         this.stream = stream;

@@ -48,7 +48,11 @@ final class Watch {
         missing = new boolean[before.length];
     }
 
-    /** Looks at a row. @param row time, then the channels */
+    /**
+     * Looks at a row.
+     *
+     * @param row time, then the channels
+     */
     void accept(double[] row) {
         looks.accept(row, 0);
         for (int i = 0; i < before.length; i++) {

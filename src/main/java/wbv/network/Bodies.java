@@ -68,7 +68,12 @@ public enum Bodies {
         return channels;
     }
 
-    /** Draws an experiment of just over one image. @param random modified @param seed of the experiment's own noise */
+    /**
+     * Draws an experiment of just over one image.
+     *
+     * @param random modified
+     * @param seed of the experiment's own noise
+     */
     RigSpec draw(RandomGenerator random, long seed) {
         double rms = level(random);
         double seconds = SETTLE + Imaging.SAMPLES / Imaging.RATE + FADE;

@@ -3,8 +3,8 @@ package wbv.network;
 /**
  * What is thought of a body. Arrays are not copied: treat them as read-only.
  *
- * @param value     damping ratio and natural pulsation [rad/s] of each mode, slowest first; NaN where there is none
- * @param deviation standard deviation of each; NaN from methods that state none
+ * @param value     damping ratio and natural pulsation [rad/s] of each mode, slowest first, two numbers for each; NaN where there is none
+ * @param deviation standard deviation of each, as long, in its unit; NaN from methods that state none
  */
 public record Estimate(double[] value, double[] deviation) {
 

@@ -25,7 +25,7 @@ public record Evaluation(Bodies bodies, List<LabelledMotion> trials, List<Row> r
      *
      * @param method    its name
      * @param scores    by target; means over networks trained from other seeds
-     * @param spread    standard deviation of the standardised error over those, by target; NaN for one
+     * @param spread    standard deviation of the standardised error [1] over those, by target; NaN for one
      * @param unlike    share of trials that it found unlike any trained on; NaN where it does not say
      * @param estimates trial by trial, of the first of those
      */

@@ -42,12 +42,19 @@ final class FrequencyFit {
      */
     record Found(double[] value, double[] deviation, double left, double coloured, double moved) {}
 
-    /** Of a body that its excitation alone moves. @param modes of the body, 1 or more */
+    /**
+     * Of a body that its excitation alone moves.
+     *
+     * @param modes of the body, 1 or more
+     */
     FrequencyFit(int modes) {
         this(modes, 0);
     }
 
-    /** @param modes of the body, 1 or more @param others motions of the base that move it as well */
+    /**
+     * @param modes of the body, 1 or more
+     * @param others motions of the base that move it as well
+     */
     FrequencyFit(int modes, int others) {
         n = 2 * modes;
         model = new FrequencyModel(modes, others);

@@ -72,7 +72,11 @@ final class FrequencyModel {
         return 2 * FITTED - columns;
     }
 
-    /** Turns to a window. @param motion excitation, answer, others. Not modified. */
+    /**
+     * Turns to a window.
+     *
+     * @param motion excitation, answer, others. Not modified.
+     */
     void look(double[][] motion) {
         u = spectrum(motion[0]);
         y = spectrum(motion[1]);
@@ -81,7 +85,11 @@ final class FrequencyModel {
         Arrays.fill(weight, 1);
     }
 
-    /** Weighs lines by the gain of a body. @param at logarithms of damping ratio and pulsation of each mode. Not modified. */
+    /**
+     * Weighs lines by the gain of a body.
+     *
+     * @param at logarithms of damping ratio and pulsation of each mode. Not modified.
+     */
     void weigh(double[] at) {
         explain(at);
         for (int k = 0; k < LINES; k++) {
@@ -94,7 +102,12 @@ final class FrequencyModel {
         return rest;
     }
 
-    /** Fits what is linear. @param at logarithms, as of {@link #weigh}. Not modified. @return squares left, weighted */
+    /**
+     * Fits what is linear.
+     *
+     * @param at logarithms, as of {@link #weigh}. Not modified.
+     * @return squares left, weighted
+     */
     double explain(double[] at) {
         unit = 0;
         for (int m = 0; m < modes; m++) {

@@ -61,7 +61,7 @@ public record Imaging(List<ImagePlane> planes) implements Serializable {
     /**
      * The image of a stretch of motion.
      *
-     * @param motion channel by channel, {@value #SAMPLES} finite samples each. Not modified.
+     * @param motion channel by channel, {@value #SAMPLES} finite samples each, each in its own unit. Not modified.
      * @return plane by plane, not yet standardised
      */
     public float[] image(double[][] motion) {
@@ -84,8 +84,8 @@ public record Imaging(List<ImagePlane> planes) implements Serializable {
     /**
      * The transform, {@code X_k = Σ_n w_n x_n exp(-j2πkn/64)} of every segment less its mean.
      *
-     * @param samples {@value #SAMPLES} or more. Not modified.
-     * @return for every moment, real and imaginary part of bins 1 to 32 in turn
+     * @param samples series of any unit, of {@value #SAMPLES} or more. Not modified.
+     * @return for every moment, in the samples' unit, real and imaginary part of bins 1 to 32 in turn
      */
     public static double[][] transform(double[] samples) {
         if (samples.length < SAMPLES) {

@@ -57,7 +57,11 @@ public final class LabelledRecordings implements TrainingData {
         private final List<List<LabelledMotion>> recordings = new ArrayList<>();
         private String file = "labels";
 
-        /** Gathers from no recording yet. @param hop samples from one window to the next, &gt;= 1 */
+        /**
+         * Gathers from no recording yet.
+         *
+         * @param hop samples from one window to the next, &gt;= 1
+         */
         public Gathering(Architecture architecture, Channel input, Channel output, int modes, int hop) {
             this.architecture = architecture;
             this.input = input;

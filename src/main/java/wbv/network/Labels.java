@@ -32,7 +32,7 @@ public record Labels(String file, int modes, List<Label> list) {
      * @param recording its name, or the end of its path
      * @param from      beginning [s]
      * @param to        end [s]
-     * @param truth     damping ratio and natural pulsation [rad/s] of each mode, slowest first
+     * @param truth     damping ratio and natural pulsation [rad/s] of each mode, slowest first, two numbers for each
      */
     public record Label(long line, String recording, double from, double to, double[] truth) {}
 
@@ -40,7 +40,11 @@ public record Labels(String file, int modes, List<Label> list) {
         list = List.copyOf(list);
     }
 
-    /** Reads a file of labels. @throws DataFault that names the line if the file is none of labels, or a label cannot be */
+    /**
+     * Reads a file of labels.
+     *
+     * @throws DataFault that names the line if the file is none of labels, or a label cannot be
+     */
     public static Labels read(Path path) throws IOException {
         String name = path.toString();
         List<String> lines = InputFile.text(path, "labels are a CSV file that begins with " + HEADERS.get(0)).lines().toList();

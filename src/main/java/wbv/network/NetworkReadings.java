@@ -10,7 +10,7 @@ import wbv.recording.Recording;
  * What a network reads from a recording, window by window.
  *
  * @param modes     of the body
- * @param time      middle of every window [s]
+ * @param time      middle of every window, one a window [s]
  * @param readings as many; nothing where samples are missing that are too many to bridge
  */
 public record NetworkReadings(int modes, double[] time, List<Reading> readings) {

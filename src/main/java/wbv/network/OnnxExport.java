@@ -21,7 +21,11 @@ public final class OnnxExport {
         this.model = model;
     }
 
-    /** The file's bytes. @throws DataFault if the model's weights are not those of its architecture */
+    /**
+     * The file's bytes.
+     *
+     * @throws DataFault if the model's weights are not those of its architecture
+     */
     public static byte[] of(TrainedNetwork model) {
         return new OnnxExport(model).bytes();
     }
@@ -111,7 +115,11 @@ public final class OnnxExport {
                 constant(next(1))));
     }
 
-    /** The next array of the member. @param axes that it must have */
+    /**
+     * The next array of the member.
+     *
+     * @param axes that it must have
+     */
     private SafeTensors.Tensor next(int axes) {
         if (!weights.hasNext()) {
             throw unlike("fewer arrays than belong to it");

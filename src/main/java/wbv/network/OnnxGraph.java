@@ -54,7 +54,11 @@ final class OnnxGraph {
         }
     }
 
-    /** What changes how an operator works. @param ints one or more; one that is no list is said so */
+    /**
+     * What changes how an operator works.
+     *
+     * @param ints one or more; one that is no list is said so
+     */
     record Attribute(String name, boolean list, long... ints) {
         static Attribute of(String name, long value) {
             return new Attribute(name, false, value);
@@ -65,7 +69,11 @@ final class OnnxGraph {
         }
     }
 
-    /** An operator. @return name of its output */
+    /**
+     * An operator.
+     *
+     * @return name of its output
+     */
     String node(String operator, List<String> inputs, Attribute... attributes) {
         String output = operator.toLowerCase(Locale.ROOT) + names++;
         node(operator, inputs, output, attributes);
@@ -87,14 +95,22 @@ final class OnnxGraph {
         graph.message(1, node);
     }
 
-    /** A constant of 32-bit numbers. @return its name */
+    /**
+     * A constant of 32-bit numbers.
+     *
+     * @return its name
+     */
     String constant(float[] values, long... shape) {
         ByteBuffer raw = ByteBuffer.allocate(4 * values.length).order(ByteOrder.LITTLE_ENDIAN);
         raw.asFloatBuffer().put(values);
         return constant(FLOAT, raw.array(), shape);
     }
 
-    /** A constant of whole numbers. @return its name */
+    /**
+     * A constant of whole numbers.
+     *
+     * @return its name
+     */
     String constant(long... values) {
         ByteBuffer raw = ByteBuffer.allocate(8 * values.length).order(ByteOrder.LITTLE_ENDIAN);
         raw.asLongBuffer().put(values);
@@ -130,7 +146,11 @@ final class OnnxGraph {
         return new Message().text(1, name).message(2, new Message().message(1, tensor));
     }
 
-    /** The file. @param words that it says of itself */
+    /**
+     * The file.
+     *
+     * @param words that it says of itself
+     */
     byte[] bytes(String name, Map<String, String> words) {
         Message model = new Message().number(1, IR_VERSION).text(2, "wbv").message(7, graph.text(2, name))
                 .message(8, new Message().text(1, "").number(2, OPSET));

@@ -26,7 +26,7 @@ public final class Peers {
     /**
      * The thesis' benchmark: refined instrumental variables, a transfer function of twice as many poles as modes.
      *
-     * @param motion excitation and answer at {@value Imaging#RATE} Hz. Not modified.
+     * @param motion excitation and answer, each a series [m/s²], at {@value Imaging#RATE} Hz. Not modified.
      */
     public static Estimate instruments(double[][] motion, int modes) {
         double[] value = nothing(modes);
@@ -47,7 +47,8 @@ public final class Peers {
     /**
      * A streaming estimator, from its usual start (5 Hz, ζ 0.4) to the end of the stretch.
      *
-     * @param motion excitation, answer, and what else moves the base: that is learned and taken away. Not modified.
+     * @param motion excitation, answer, and what else moves the base, each a series in its own unit: that is learned and taken away. Not
+     *               modified.
      * @param alarms of the filters in it
      */
     public static Estimate stream(double[][] motion, int modes, Method method, Supplier<? extends Alarm> alarms) {
@@ -75,7 +76,7 @@ public final class Peers {
     /**
      * Least squares in frequency from the streaming estimators' usual start (5 Hz, ζ 0.4; the next mode at twice that).
      *
-     * @param motion excitation, answer, and what else moves the base, [channels][samples]. Not modified.
+     * @param motion excitation, answer, and what else moves the base, by channel and sample, each in its own unit. Not modified.
      */
     public static Estimate fit(double[][] motion, int modes) {
         double[] start = new double[2 * modes];
@@ -89,7 +90,7 @@ public final class Peers {
     /**
      * The same from what is known of all bodies, or of this one.
      *
-     * @param motion excitation, answer, and what else moves the base. Not modified.
+     * @param motion excitation, answer, and what else moves the base, by channel and sample, each in its own unit. Not modified.
      * @param known  mean and deviation of each target
      */
     public static Estimate fit(double[][] motion, Estimate known) {
@@ -101,7 +102,7 @@ public final class Peers {
      * One mode from its answer alone, as if its excitation were white from 0.5 to 10 Hz: the likelihood of the spectrum (Whittle
      * 1953), over a grid of 0.05 to 0.8 and 1.5 to 10 Hz.
      *
-     * @param answer as networks read it. Not modified.
+     * @param answer series as networks read it [m/s²]. Not modified.
      */
     public static Estimate spectrum(double[] answer) {
         double[] centred = withoutMean(answer);

@@ -58,7 +58,8 @@ public final class Reader implements AutoCloseable {
     /**
      * The body of one window.
      *
-     * @param motion the model's channels, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified.
+     * @param motion the model's channels, by channel and sample, each in its own unit, {@value Imaging#SAMPLES} samples at {@value
+     *               Imaging#RATE} Hz. Not modified.
      */
     public Reading read(double[][] motion) {
         return readAll(List.<double[][]>of(motion)).get(0);

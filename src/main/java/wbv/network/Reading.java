@@ -13,7 +13,11 @@ import java.util.Arrays;
  */
 public record Reading(Estimate network, Estimate fitted, double misfit) {
 
-    /** Nothing was read. @param targets values that there would be */
+    /**
+     * Nothing was read.
+     *
+     * @param targets values that there would be
+     */
     static Reading nothing(int targets) {
         double[] nothing = new double[targets];
         Arrays.fill(nothing, Double.NaN);

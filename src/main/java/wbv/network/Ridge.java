@@ -26,7 +26,11 @@ public final class Ridge {
         this.weights = weights;
     }
 
-    /** Fits damping ratio and frequency of every mode. @param held trials by which λ is chosen */
+    /**
+     * Fits damping ratio and frequency of every mode.
+     *
+     * @param held trials by which λ is chosen
+     */
     public static Ridge fit(Imaging imaging, List<LabelledMotion> trials, List<LabelledMotion> held) {
         List<float[]> images = trials.stream().map(trial -> imaging.image(trial.motion())).toList();
         Scaling scaling = Scaling.of(images, trials);
@@ -90,7 +94,8 @@ public final class Ridge {
     /**
      * The body of one window, without deviations: they are NaN.
      *
-     * @param motion channels as those learned from, {@value Imaging#SAMPLES} samples. Not modified.
+     * @param motion channels as those learned from, by channel and sample, each in its own unit, {@value Imaging#SAMPLES} samples. Not
+     *               modified.
      */
     public Estimate read(double[][] motion) {
         float[] image = imaging.image(motion);

@@ -26,7 +26,12 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
     private static final String METADATA = "__metadata__";
     private static final int MOST_HEADER = 1 << 24;
 
-    /** An array. @param shape row-major @param values as many as the shape says; not copied */
+    /**
+     * An array.
+     *
+     * @param shape row-major
+     * @param values as many as the shape says; not copied
+     */
     public record Tensor(long[] shape, float[] values) {}
 
     /** The file's bytes. */
@@ -60,7 +65,8 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
     /**
      * Reads a file.
      *
-     * @param name of the file, for messages @param bytes Not modified.
+     * @param name of the file, for messages
+     * @param bytes Not modified.
      * @throws DataFault if it is no such file, or not all of it
      */
     public static SafeTensors parse(String name, byte[] bytes) {

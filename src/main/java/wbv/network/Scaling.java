@@ -6,6 +6,11 @@ import java.util.List;
 /**
  * Mean and standard deviation of every plane of the images, and of every target, over the trials that were learned from: stored
  * with a model. Arrays are not copied: treat them as read-only.
+ *
+ * @param planeMean      by plane, in the plane's unit
+ * @param planeDeviation likewise
+ * @param mean           by target, in the target's unit
+ * @param deviation      likewise
  */
 public record Scaling(double[] planeMean, double[] planeDeviation, double[] mean, double[] deviation) implements Serializable {
 
@@ -43,7 +48,11 @@ public record Scaling(double[] planeMean, double[] planeDeviation, double[] mean
         return new Scaling(values[0], values[1], values[2], values[3]);
     }
 
-    /** Standardises an image in place. @param image modified */
+    /**
+     * Standardises an image in place.
+     *
+     * @param image modified
+     */
     void standardise(float[] image) {
         for (int p = 0; p < planeMean.length; p++) {
             for (int i = p * Imaging.PLANE; i < (p + 1) * Imaging.PLANE; i++) {

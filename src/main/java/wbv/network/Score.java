@@ -9,8 +9,8 @@ import java.util.List;
  * @param count        trials
  * @param missing      trials for which the method gave nothing; they count as if it had said the population's mean
  * @param rmse         root mean square error, in the target's unit
- * @param deviation    standard deviation of the error
- * @param standardised {@code rmse} over the standard deviation of the truth
+ * @param deviation    standard deviation of the error, likewise
+ * @param standardised ratio of {@code rmse} to the standard deviation of the truth
  * @param covered      share of trials whose interval of 90 % holds the truth; NaN where the method states none
  * @param stated       root mean square of the stated standard deviations; NaN likewise
  */
@@ -21,8 +21,8 @@ public record Score(int count, int missing, double rmse, double deviation, doubl
      *
      * @param target    number of the target
      * @param estimates as many as trials
-     * @param mean      the population's mean, for what is missing
-     * @param spread    the population's standard deviation
+     * @param mean      the population's mean, in the target's unit, for what is missing
+     * @param spread    the population's standard deviation, likewise
      */
     public static Score of(int target, List<LabelledMotion> trials, List<Estimate> estimates, double mean, double spread) {
         int n = trials.size();

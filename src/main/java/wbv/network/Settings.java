@@ -10,7 +10,7 @@ package wbv.network;
  * @param epochs     times that every image is shown
  * @param batch      images at a step
  * @param method     how steps are taken
- * @param rate       learning rate
+ * @param rate       learning rate [1]
  * @param dropPeriod epochs after which the rate drops, again and again
  * @param dropFactor by which it is then multiplied
  * @param dropout    share of units left out at each step, 0 to less than 1

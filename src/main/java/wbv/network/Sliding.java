@@ -24,18 +24,29 @@ public final class Sliding implements Serializable {
 
     /** Hears of a window. */
     interface Look {
-        /** @param last number of its last sample @param motion the window; empty where samples are missing */
+        /**
+         * @param last number of its last sample
+         * @param motion the window; empty where samples are missing
+         */
         void at(int last, Optional<double[][]> motion);
     }
 
-    /** An empty window. @param channels &gt;= 1 */
+    /**
+     * An empty window.
+     *
+     * @param channels &gt;= 1
+     */
     public Sliding(int channels) {
         recent = new double[channels][Imaging.SAMPLES];
         bridges = new GapBridge[channels];
         Arrays.setAll(bridges, c -> new GapBridge(LONGEST_GAP));
     }
 
-    /** Slides over columns of equal length. Not modified. @param hop samples from one window to the next */
+    /**
+     * Slides over columns of equal length. Not modified.
+     *
+     * @param hop samples from one window to the next
+     */
     static void over(List<double[]> columns, int hop, Look look) {
         Sliding sliding = new Sliding(columns.size());
         double[] row = new double[columns.size()];
@@ -56,7 +67,7 @@ public final class Sliding implements Serializable {
         return bridges[0].delay();
     }
 
-    /** Takes a sample of every channel, NaN where missing. Not modified. */
+    /** Takes a sample of every channel, in its own unit, NaN where missing. Not modified. */
     public void accept(double... row) {
         boolean all = true;
         for (int c = 0; c < recent.length; c++) {
@@ -78,7 +89,7 @@ public final class Sliding implements Serializable {
         return whole >= Imaging.SAMPLES;
     }
 
-    /** The samples, [channels][{@value Imaging#SAMPLES}], oldest first. A copy. */
+    /** The samples by channel, each in its own unit, {@value Imaging#SAMPLES} long, oldest first. A copy. */
     public double[][] motion() {
         double[][] motion = new double[recent.length][];
         for (int c = 0; c < motion.length; c++) {

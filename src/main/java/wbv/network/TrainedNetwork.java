@@ -25,8 +25,8 @@ import wbv.recording.InputFile;
  * @param channels     the excitation, the answer and what else of the base's motion it was trained on
  * @param modes        of the body
  * @param scaling      of images and targets
- * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held
- * back
+ * @param widening     factors, one for each target, by which the stated deviations of each target are multiplied, so that 90 % intervals
+ *                     held on trials held back
  * @param usual        what windows are held against
  * @param members      weights of each member by name
  * @param card         what a reader of the file should know: data, seed, split, figures, limits
@@ -74,7 +74,11 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
         return new SafeTensors(words, tensors).bytes();
     }
 
-    /** Reads a model. @throws DataFault if the file is no model of this version */
+    /**
+     * Reads a model.
+     *
+     * @throws DataFault if the file is no model of this version
+     */
     public static TrainedNetwork read(Path file) throws IOException {
         return parse(file.toString(), InputFile.bytes(file, "a model is what 'wbv net train' writes"));
     }
@@ -180,7 +184,11 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
             throw fault(key, "must be a whole number from 1 to " + most);
         }
 
-        /** A list of finite numbers. @param positive true where each must be greater than 0 */
+        /**
+         * A list of finite numbers.
+         *
+         * @param positive true where each must be greater than 0
+         */
         double[] numbers(String key, int count, boolean positive) {
             try {
                 double[] values = MAPPER.readValue(text(key), double[].class);

@@ -28,11 +28,20 @@ public final class Trainer {
 
     /** Hears how far the work has come. */
     public interface Progress {
-        /** Tells how far a step is. @param share 0 to 1 */
+        /**
+         * Tells how far a step is.
+         *
+         * @param share 0 to 1
+         */
         void at(String step, double share);
     }
 
-    /** What came out. @param losses of every member, epoch by epoch @param held images held back */
+    /**
+     * What came out.
+     *
+     * @param losses of every member, epoch by epoch
+     * @param held images held back
+     */
     public record Result(TrainedNetwork model, List<List<Losses>> losses, int held) {
         public Result {
             losses = losses.stream().map(List::copyOf).toList();
@@ -61,7 +70,11 @@ public final class Trainer {
         return train(split.learned(), split.held());
     }
 
-    /** The same from trials at hand. @param held trials held back */
+    /**
+     * The same from trials at hand.
+     *
+     * @param held trials held back
+     */
     Result train(List<LabelledMotion> trials, List<LabelledMotion> held) throws IOException {
         Imaging imaging = order.architecture().imaging();
         Scaling scaling = Scaling.of(trials.stream().map(trial -> imaging.image(trial.motion())).toList(), trials);

@@ -72,7 +72,11 @@ final class Training implements AutoCloseable {
         return epoch == settings.epochs();
     }
 
-    /** One epoch. @return loss on what was learned from, loss and root mean square error on what was not */
+    /**
+     * One epoch.
+     *
+     * @return loss on what was learned from, loss and root mean square error on what was not
+     */
     Losses next() {
         int n = (int) images.getShape().get(0);
         long seed = settings.seed() * 100_003 + epoch;
@@ -183,7 +187,11 @@ final class Training implements AutoCloseable {
         return new SafeTensors(Map.of("epoch", Integer.toString(epoch), "step", Long.toString(step)), all);
     }
 
-    /** Goes on from a state. @param name of its file, for messages */
+    /**
+     * Goes on from a state.
+     *
+     * @param name of its file, for messages
+     */
     void restore(String name, SafeTensors state) {
         for (Pair<String, Parameter> each : block.getParameters()) {
             Weights.in(name, state.tensors(), "weights." + each.getKey(), each.getValue().getArray());

@@ -31,6 +31,11 @@ public sealed interface TrainingData permits SimulatedTrials, LabelledRecordings
     /** In a few words, for a report. */
     String title();
 
-    /** Trials of bodies that stand on one side only. @param learned learned from @param held held back */
+    /**
+     * Trials of bodies that stand on one side only.
+     *
+     * @param learned learned from
+     * @param held held back
+     */
     record Split(List<LabelledMotion> learned, List<LabelledMotion> held) {}
 }

@@ -30,7 +30,11 @@ public record TrainingOrder(TrainingData data, Architecture architecture, Settin
         }
     }
 
-    /** To be trained on simulated trials. @param dataSeed of the trials */
+    /**
+     * To be trained on simulated trials.
+     *
+     * @param dataSeed of the trials
+     */
     public TrainingOrder(Bodies bodies, int images, long dataSeed, Architecture architecture, Settings settings, int members) {
         this(new SimulatedTrials(bodies, images, dataSeed), architecture, settings, members);
     }

@@ -11,13 +11,17 @@ import java.util.function.ToDoubleFunction;
  * @param left     no more than this in all but three in a thousand windows, {@link FrequencyFit.Found#left} [m/s²]
  * @param coloured the same of {@link FrequencyFit.Found#coloured}
  * @param moved    the same of {@link FrequencyFit.Found#moved}: how far the network was from what the window says
- * @param widening by which the fit's deviations of each target are multiplied, so that intervals of 90 % hold
+ * @param widening factors, one for each target, by which the fit's deviations of each target are multiplied, so that intervals of 90 % hold
  */
 public record Usual(double left, double coloured, double moved, double[] widening) {
 
     private static final double SHARE = 0.997;
 
-    /** Everything is usual, where that is not known. @param targets values read */
+    /**
+     * Everything is usual, where that is not known.
+     *
+     * @param targets values read
+     */
     static Usual unknown(int targets) {
         double[] ones = new double[targets];
         Arrays.fill(ones, 1);

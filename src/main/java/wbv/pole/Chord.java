@@ -5,8 +5,8 @@ import java.io.Serializable;
 /**
  * Where a line at a measured value cuts a {@link ConstraintPolygon}.
  *
- * @param lower least value of the other attribute
- * @param upper largest
+ * @param lower least value of the other attribute, in the unit of that
+ * @param upper largest, likewise
  * @param inside whether the measured value lies over the polygon; else the bounds are those at its nearest edge
  */
 public record Chord(double lower, double upper, boolean inside) implements Serializable {

@@ -20,10 +20,10 @@ import wbv.filter.model.Bounds;
  *
  * @param measured attribute of the measured place, along x
  * @param absent   attribute of the absent place, along y
- * @param alpha    largest radius of an empty circle that the hull keeps, in spreads
+ * @param alpha    largest radius of an empty circle that the hull keeps [spreads]
  * @param points   number of points it was made from
- * @param x        ring, closed: the first point is the last. Not copied: read-only.
- * @param y        as many. Not copied: read-only.
+ * @param x        measured attribute by point, in its own unit; a ring, closed: the first point is the last. Not copied: read-only.
+ * @param y        absent attribute, as many, in its own unit. Not copied: read-only.
  */
 public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute absent, double alpha, int points, double[] x,
         double[] y)
@@ -55,9 +55,9 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     /**
      * The polygon of points.
      *
-     * @param x     values of the measured attribute, at least one. Not modified.
-     * @param y     of the absent one, as many. Not modified.
-     * @param alpha [spreads], &gt; 0
+     * @param x     values of the measured attribute by point, in its own unit, at least one. Not modified.
+     * @param y     of the absent one, as many, in its own unit. Not modified.
+     * @param alpha largest radius of an empty circle that the hull keeps [spreads], &gt; 0
      */
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
             double alpha) {
@@ -68,8 +68,9 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
      * The polygon of the points of several people, wide enough that it would have held each of them had the others alone been
      * known: of all but one, the hull is widened by what the one then lacks, {@value #HELD} of the points of the worst.
      *
-     * @param x   values of the measured attribute, at least one. Not modified.
-     * @param y   of the absent one, as many. Not modified.
+     * @param x   values of the measured attribute by point, in its own unit, at least one. Not modified.
+     * @param y   of the absent one, as many, in its own unit. Not modified.
+     * @param alpha [spreads], &gt; 0
      * @param who whose each point is
      */
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
@@ -150,8 +151,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     }
 
     /**
-     * Bounds of the absent attribute where the measured one has this value: the least and the largest y of the polygon over it.
-     * Beyond the polygon those at its nearest end count, and the chord says so.
+     * Bounds of the absent attribute where the measured one has this value, in its unit: the least and the largest y of the polygon over
+     * it. Beyond the polygon those at its nearest end count, and the chord says so.
      */
     public Chord at(double value) {
         double within = Math.max(least(), Math.min(largest(), value));

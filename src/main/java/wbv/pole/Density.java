@@ -32,7 +32,9 @@ public final class Density {
     /**
      * DBSCAN (Ester, Kriegel, Sander and Xu 1996).
      *
-     * @param points by row. Not modified. @param epsilon &gt; 0 @param least &gt;= 1
+     * @param points by row, all coordinates of one unit. Not modified.
+     * @param epsilon in that unit, &gt; 0
+     * @param least &gt;= 1
      */
     public static int[] dbscan(double[][] points, double epsilon, int least) {
         check(epsilon, least);
@@ -60,7 +62,9 @@ public final class Density {
      * OPTICS (Ankerst, Breunig, Kriegel and Sander 1999), its reachability cut at epsilon: a point reachable from the one before
      * it goes with it, another that is core begins a cluster, and the rest is noise.
      *
-     * @param points by row. Not modified. @param epsilon &gt; 0 @param least &gt;= 1
+     * @param points by row, all coordinates of one unit. Not modified.
+     * @param epsilon in that unit, &gt; 0
+     * @param least &gt;= 1
      */
     public static int[] optics(double[][] points, double epsilon, int least) {
         check(epsilon, least);

@@ -7,12 +7,16 @@ import java.util.Arrays;
  * knee suggests: the point furthest below the line from the first to the last, both axes scaled to one (Satopää et al. 2011).
  *
  * @param k        neighbours, the point itself counted
- * @param distance rising. Not copied: read-only.
+ * @param distance by point, in the unit of their coordinates, rising. Not copied: read-only.
  * @param knee     index of the knee
  */
 public record KDistance(int k, double[] distance, int knee) {
 
-    /** The curve of some points. @param points by row, at least k. Not modified. */
+    /**
+     * The curve of some points.
+     *
+     * @param points by row, at least k, all coordinates of one unit. Not modified.
+     */
     public static KDistance of(double[][] points, int k) {
         double[] curve = core(points, k);
         Arrays.sort(curve);
@@ -47,7 +51,7 @@ public record KDistance(int k, double[] distance, int knee) {
         return core;
     }
 
-    /** The distance at the knee. */
+    /** The distance at the knee, in the unit of the points' coordinates. */
     public double epsilon() {
         return distance[knee];
     }

@@ -83,7 +83,11 @@ public record Layout(List<Channel> inputs, Channel measured, List<Channel> absen
         require(who, recording, measured);
     }
 
-    /** Faults a recording that lacks any channel. @param who the recording's name, for the message */
+    /**
+     * Faults a recording that lacks any channel.
+     *
+     * @param who the recording's name, for the message
+     */
     public void requireAll(String who, Recording recording) {
         requireMeasured(who, recording);
         absent.forEach(channel -> require(who, recording, channel));

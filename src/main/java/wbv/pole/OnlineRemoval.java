@@ -50,7 +50,12 @@ public final class OnlineRemoval implements Serializable {
         this(layout, windows, rate, kept, between, true);
     }
 
-    /** Follows what was trained elsewhere. @param trained of which the first absent channel is predicted @param rate [Hz] */
+    /**
+     * Follows what was trained elsewhere.
+     *
+     * @param trained of which the first absent channel is predicted
+     * @param rate [Hz]
+     */
     public OnlineRemoval(TrainedPoles trained, double rate) {
         this(trained.layout(), trained.windows(), rate, 1, 1, false);
         this.run = new RemovalRun(trained, STREAM, rate);
@@ -78,9 +83,9 @@ public final class OnlineRemoval implements Serializable {
     }
 
     /**
-     * What is foreseen of the absent place, its own level added, before the sample is taken. Changes nothing.
+     * What is foreseen of the absent place in its channel's unit, its own level added, before the sample is taken. Changes nothing.
      *
-     * @param u    inputs. Not modified.
+     * @param u    inputs, one a channel in the layout's order, in its unit. Not modified.
      * @param body whether by the bounded body, or by the response to all inputs
      */
     public double foresee(double[] u, boolean body) {
@@ -92,9 +97,9 @@ public final class OnlineRemoval implements Serializable {
     /**
      * Takes a sample.
      *
-     * @param u        inputs in the layout's order; NaN is missing. Not modified.
-     * @param measured the measured place
-     * @param absent   the absent place as long as it has a sensor, then NaN
+     * @param u        inputs, one a channel in the layout's order, in its unit; NaN is missing. Not modified.
+     * @param measured the measured place, in its channel's unit
+     * @param absent   the absent place, in its channel's unit, as long as it has a sensor, then NaN
      */
     public void step(double[] u, double measured, double absent) {
         int length = ring[0].length;

@@ -51,7 +51,11 @@ public record PlaceClusters(Channel place, List<Pole> poles, int[] window, PoleP
         return Arrays.stream(dbscan).max().orElse(Density.NOISE) + 1;
     }
 
-    /** Poles of a cluster. @param label of DBSCAN, or {@link Density#NOISE} */
+    /**
+     * Poles of a cluster.
+     *
+     * @param label of DBSCAN, or {@link Density#NOISE}
+     */
     public List<Pole> members(int label) {
         List<Pole> members = new ArrayList<>();
         for (int i = 0; i < dbscan.length; i++) {

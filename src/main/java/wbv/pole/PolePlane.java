@@ -10,7 +10,10 @@ import wbv.identify.Pole;
  * the same in both directions. The spread is the median distance from the median times 1.4826, a standard deviation where values
  * are normal (Hampel 1974).
  *
- * @param centreRe [rad/s] @param spreadRe [rad/s], &gt; 0 @param centreIm [rad/s] @param spreadIm [rad/s], &gt; 0
+ * @param centreRe [rad/s]
+ * @param spreadRe [rad/s], &gt; 0
+ * @param centreIm [rad/s]
+ * @param spreadIm [rad/s], &gt; 0
  */
 public record PolePlane(double centreRe, double spreadRe, double centreIm, double spreadIm) implements Serializable {
 
@@ -31,12 +34,12 @@ public record PolePlane(double centreRe, double spreadRe, double centreIm, doubl
         return new PolePlane(median(re), spread(re), median(im), spread(im));
     }
 
-    /** Coordinates of a pole, two. */
+    /** Coordinates of a pole, two long [spreads]. */
     public double[] coordinates(Pole pole) {
         return new double[] {(pole.re() - centreRe) / spreadRe, (pole.im() - centreIm) / spreadIm};
     }
 
-    /** Coordinates of poles, two by row. */
+    /** Coordinates of poles [spreads], by pole, two long each. */
     public double[][] coordinates(List<Pole> poles) {
         return poles.stream().map(this::coordinates).toArray(double[][]::new);
     }

@@ -37,7 +37,11 @@ public final class PoleTraining implements Serializable {
     private final int most;
     private final List<Window> seen = new ArrayList<>();
 
-    /** A window with all its samples: poles by place, and the bodies of one mode. @param who was seen in it */
+    /**
+     * A window with all its samples: poles by place, and the bodies of one mode.
+     *
+     * @param who was seen in it
+     */
     private record Window(String who, Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles,
             Map<Channel, SkyhookBody> bodies) implements Serializable {}
 

@@ -70,7 +70,10 @@ public record PoleWindows(double length, double hop, int poles) implements Seria
     }
 
     /**
-     * Modes of a stretch of samples; empty if a sample is missing. @param u inputs. Not modified. @param y output. Not modified.
+     * Modes of a stretch of samples; empty if a sample is missing.
+     *
+     * @param u inputs. Not modified.
+     * @param y output. Not modified.
      */
     Optional<List<Pole>> window(double[][] u, double[] y, int from, int samples, double rate) {
         double[][] inputs = new double[u.length][];

@@ -44,7 +44,11 @@ public final class PolygonFile {
 
     private PolygonFile() {}
 
-    /** The file's text. @param provenance what, and from what, it was made */
+    /**
+     * The file's text.
+     *
+     * @param provenance what, and from what, it was made
+     */
     public static String text(TrainedPoles trained, Map<String, String> provenance) {
         ObjectNode root = MAPPER.createObjectNode().put("type", "FeatureCollection");
         ObjectNode head = root.putObject("wbv").put("version", VERSION);

@@ -14,7 +14,7 @@ import wbv.signal.FrequencyResponse;
  * @param name      of the recording
  * @param channel   absent channel
  * @param from      first sample that counts
- * @param error     mean square of the difference over the variance, constants left out
+ * @param error     mean square of the difference over the variance, constants left out [1]
  * @param meanError the same of the population's mean body of one degree
  * @param measured  transmissibility from the base, as the sensors say
  * @param said      as predicted

@@ -139,7 +139,8 @@ public final class RemovalRun implements Serializable {
     /**
      * Takes the next sample of every input, in the layout's order, and of the measured place; NaN is missing.
      *
-     * @param u Not modified.
+     * @param u one a channel, in its unit. Not modified.
+     * @param measured in its channel's unit
      */
     public void step(double[] u, double measured) {
         fresh = false;
@@ -226,7 +227,11 @@ public final class RemovalRun implements Serializable {
         return pole;
     }
 
-    /** Bounds of an absent body, in the order of {@link Attributes#OF_A_BODY}. @param absent number of the channel in the layout */
+    /**
+     * Bounds of an absent body, in the order of {@link Attributes#OF_A_BODY}.
+     *
+     * @param absent number of the channel in the layout
+     */
     public List<Chord> bounds(int absent) {
         return places[absent].chords;
     }
@@ -250,7 +255,11 @@ public final class RemovalRun implements Serializable {
         return places[absent].body.track();
     }
 
-    /** {@link #motion} that goes with the next sample. Changes nothing. @param u Not modified. */
+    /**
+     * {@link #motion} that goes with the next sample, in its channel's unit. Changes nothing.
+     *
+     * @param u one a channel, in its unit. Not modified.
+     */
     public double foresee(int absent, double[] u) {
         for (int i = 0; i < inputs; i++) {
             double change = Double.isFinite(u[i]) ? u[i] - level[i] : 0;
@@ -259,7 +268,11 @@ public final class RemovalRun implements Serializable {
         return places[absent].response.foresee(ahead);
     }
 
-    /** The constrained body's motion that goes with the next sample. Changes nothing. @param u of the base; NaN if missing */
+    /**
+     * The constrained body's motion that goes with the next sample [m/s²]. Changes nothing.
+     *
+     * @param u of the base [m/s²]; NaN if missing
+     */
     public double foreseeBody(int absent, double u) {
         return places[absent].body.predict(u);
     }

@@ -40,7 +40,9 @@ public final class SensorRemoval {
     /**
      * The body of an absent place as the constrained estimator follows it within the bounds, at all samples.
      *
-     * @param frequency [Hz] @param damping ratio @param motion of that body [m/s²]
+     * @param frequency by sample [Hz]
+     * @param damping ratio by sample
+     * @param motion of that body by sample [m/s²]
      */
     public record Body(double[] frequency, double[] damping, double[] motion) {}
 
@@ -54,7 +56,11 @@ public final class SensorRemoval {
      */
     public record Prediction(Map<Channel, double[]> motion, Map<Channel, Body> bodies, List<Seen> seen, int lost) {
 
-        /** Writes the motion of absent channels as a recording. @param recording from which it was predicted */
+        /**
+         * Writes the motion of absent channels as a recording.
+         *
+         * @param recording from which it was predicted
+         */
         public void writeMotion(Path file, List<Channel> absent, Recording recording) throws IOException {
             try (RecordingWriter writer = RecordingWriter.create(file, absent, recording.metadata())) {
                 double[] row = new double[1 + absent.size()];

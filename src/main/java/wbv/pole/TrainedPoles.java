@@ -21,7 +21,7 @@ import wbv.recording.DataFault;
  * @param layout    which channels it is about
  * @param windows   how a window is identified
  * @param plane     coordinates of the measured place's poles
- * @param epsilon   of its clusters, in those coordinates
+ * @param epsilon   of its clusters, in the unit of those coordinates
  * @param outline   of the measured place's main cluster: imaginary over real part
  * @param typical   the main cluster's median pole
  * @param links     polygons from the measured place's poles to the absent ones'
@@ -49,7 +49,11 @@ public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, 
         }
     }
 
-    /** The same for one absent channel alone. @throws DataFault if nothing is said of it */
+    /**
+     * The same for one absent channel alone.
+     *
+     * @throws DataFault if nothing is said of it
+     */
     public TrainedPoles forOnly(Channel absent) {
         return new TrainedPoles(new Layout(layout.inputs(), layout.measured(), List.of(absent)), windows, plane, epsilon, outline, typical,
                 links, responses, bodies, trials);
@@ -82,7 +86,11 @@ public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, 
                         + "; train them on recordings that have it"));
     }
 
-    /** Bounds of a body's attribute. @param measured pole seen now */
+    /**
+     * Bounds of a body's attribute.
+     *
+     * @param measured pole seen now
+     */
     public Chord chord(Channel absent, Pole measured, Attribute attribute) {
         return bodyOf(absent).chord(measured, attribute);
     }

@@ -11,7 +11,8 @@ import wbv.signal.Segmentation;
 /**
  * The peak of a measured transmissibility.
  *
- * @param frequency [Hz] @param magnitude ratio
+ * @param frequency [Hz]
+ * @param magnitude ratio
  */
 public record TransmissibilityPeak(double frequency, double magnitude) {
 
@@ -26,6 +27,9 @@ public record TransmissibilityPeak(double frequency, double magnitude) {
     /**
      * H1 from one signal to another, after so many samples, at a rate [Hz]. Signals are as long as each other; NaN is missing. Neither is
      * modified.
+     *
+     * @param u by sample, of any unit
+     * @param y as long, of any unit
      */
     public static FrequencyResponse response(double[] u, double[] y, int from, double rate) {
         CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate, SEGMENT, 0.75), Detrend.MEAN, 1);

@@ -15,7 +15,8 @@ final class WekaMixture {
     /**
      * A label for each point, 0, 1, … in the order of first appearance; the number of components is chosen by cross-validation.
      *
-     * @param points by row, at least one. Not modified. @param most components
+     * @param points by row, at least one. Not modified.
+     * @param most components
      */
     static int[] labels(double[][] points, int most, int seed) {
         ArrayList<Attribute> attributes = new ArrayList<>(List.of(new Attribute("re"), new Attribute("im")));

@@ -12,7 +12,8 @@ import java.util.Set;
 /**
  * A summand of a law in the words in which keys and answers are compared: a product, what it depends on without any number.
  *
- * @param factors in any order @param lagged whether the product answers late
+ * @param factors in any order
+ * @param lagged whether the product answers late
  */
 record ComparedTerm(Set<Factor> factors, boolean lagged) {
 

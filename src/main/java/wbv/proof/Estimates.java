@@ -13,10 +13,9 @@ final class Estimates {
     /**
      * A value and what was found for it.
      *
-     * @param low  end of the interval that was given, infinite where it was left open; NaN where none was given @param high
-     *             likewise
-     * @param form whether the generator has the formula that the library has; what another formula calls by the same name is
-     *             close at best
+     * @param low  end of the interval that was given, infinite where it was left open; NaN where none was given
+     * @param high likewise
+     * @param form whether the generator has the formula that the library has; what another formula calls by the same name is close at best
      */
     record Estimate(String key, double truth, double found, double low, double high, boolean form) {
 

@@ -28,7 +28,11 @@ final class Examinee implements Closeable {
         this.home = home;
     }
 
-    /** Asks about one folder and waits for {@code answer.json} in it. @param limit for the answer [s] */
+    /**
+     * Asks about one folder and waits for {@code answer.json} in it.
+     *
+     * @param limit for the answer [s]
+     */
     void ask(Path folder, long limit) throws IOException {
         if (process == null || !process.isAlive()) {
             begin();

@@ -6,7 +6,10 @@ import wbv.signal.RealDft;
 /**
  * The force that was concealed, and how an answer's compares with it.
  *
- * @param rate rows per second [Hz] @param force [N] @param extension of its link [m] @param speed of that [m/s], all by row. Not copied.
+ * @param rate rows per second [Hz]
+ * @param force [N]
+ * @param extension of its link [m]
+ * @param speed of that [m/s], all by row. Not copied.
  */
 record ForceMatch(double rate, double[] force, double[] extension, double[] speed) {
 
@@ -35,7 +38,10 @@ record ForceMatch(double rate, double[] force, double[] extension, double[] spee
         return correlation(answer, LOW, HIGH);
     }
 
-    /** @param low @param high edges of the band [Hz] */
+    /**
+     * @param low
+     * @param high edges of the band [Hz]
+     */
     double correlation(LawForce answer, double low, double high) {
         int from = (int) Math.max(0, Math.ceil(answer.from() * rate));
         int to = (int) Math.min(Math.min(force.length, answer.newtons().size()), Math.floor(answer.to() * rate) + 1);

@@ -20,7 +20,8 @@ import wbv.recording.Recording;
  * @param rate of the series [Hz]
  * @param from first moment of the held-out stretch, from the first row [s]
  * @param to its last
- * @param newtons by row of the recording, positive in tension @param terms of which it is the sum; none where the answer does not say
+ * @param newtons by row of the recording, positive in tension
+ * @param terms of which it is the sum; none where the answer does not say
  */
 record LawForce(String where, double rate, double from, double to, List<Double> newtons, List<ComparedTerm> terms) {
 

@@ -57,7 +57,11 @@ final class LearnedTerms {
         return out;
     }
 
-    /** The terms among some laws. @param laws of a link */
+    /**
+     * The terms among some laws.
+     *
+     * @param laws of a link
+     */
     static List<ComparedTerm> among(List<Law> laws, List<String> links) {
         return of(laws.stream().filter(Learned.class::isInstance).map(Learned.class::cast).toList(), links);
     }

@@ -37,7 +37,11 @@ final class MarkdownCells {
         return new BigDecimal(String.format(Locale.ROOT, "%.2f", x)).stripTrailingZeros().toPlainString();
     }
 
-    /** A time for a person. @param seconds of it */
+    /**
+     * A time for a person.
+     *
+     * @param seconds of it
+     */
     static String time(double seconds) {
         return seconds < 100 ? Math.round(seconds) + " s" : seconds < 6000 ? Math.round(seconds / 60) + " min"
                 : String.format(Locale.ROOT, "%.1f h", seconds / 3600);

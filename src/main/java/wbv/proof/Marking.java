@@ -14,7 +14,8 @@ import java.util.Optional;
  * @param held  probability at which the first name was held; NaN where nothing was named
  * @param correlation of the force that the answer adds with the one that was concealed; NaN where one of them is not known, or it is
  *                    elsewhere
- * @param parts of a pair that were found @param spurious names that are not among what was concealed
+ * @param parts of a pair that were found
+ * @param spurious names that are not among what was concealed
  */
 record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark mark, boolean place, boolean family, double held,
         int parts, int spurious, double correlation) {

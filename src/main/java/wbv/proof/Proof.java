@@ -171,7 +171,11 @@ public final class Proof {
         }
     }
 
-    /** The force that was concealed; empty where none is to be learned. @throws IllegalArgumentException if it was cut short or changed */
+    /**
+     * The force that was concealed; empty where none is to be learned.
+     *
+     * @throws IllegalArgumentException if it was cut short or changed
+     */
     private Optional<ForceMatch> match(Suite.Question question) throws IOException {
         return Files.exists(force(question)) ? Optional.of(ForceMatch.parse(vault.openPacked(
                 Files.readString(force(question), StandardCharsets.ISO_8859_1)))) : Optional.empty();

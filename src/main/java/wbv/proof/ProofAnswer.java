@@ -35,7 +35,8 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
     /**
      * A mechanism at a place.
      *
-     * @param low ends of the intervals of its parameters; infinite where open @param high likewise
+     * @param low ends of the intervals of its parameters; infinite where open
+     * @param high likewise
      * @param left mean square of the whitened residual with it; NaN where the answer does not say
      */
     record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,

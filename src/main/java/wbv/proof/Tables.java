@@ -34,7 +34,11 @@ public final class Tables {
         this.all = List.copyOf(all);
     }
 
-    /** What the answers say of how well a right formula fits; empty where none does. @param chance excess that chance leaves */
+    /**
+     * What the answers say of how well a right formula fits; empty where none does.
+     *
+     * @param chance excess that chance leaves
+     */
     public Optional<Calibration> calibration(double chance) {
         return Calibrating.of(all, chance, made.getOrDefault("command", ""), made.getOrDefault("wbv", ""));
     }

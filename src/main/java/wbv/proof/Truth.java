@@ -14,7 +14,9 @@ import java.util.stream.Collectors;
  * An opened key, as far as it is marked.
  *
  * @param linear what the best linear chain leaves over the noise, mean square; 1 for nothing but noise
- * @param first  body on the platform @param seed of the case @param band in which forces are compared: lowest and highest frequency [Hz]
+ * @param first  body on the platform
+ * @param seed of the case
+ * @param band in which forces are compared: lowest and highest frequency [Hz]
  */
 record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first, long seed, List<Double> band) {
 

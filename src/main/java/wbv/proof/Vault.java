@@ -53,7 +53,11 @@ public final class Vault {
         return Base64.getMimeEncoder(100, new byte[] {'\n'}).encodeToString(all) + "\n";
     }
 
-    /** What was sealed. @throws IllegalArgumentException if it was sealed under another password, or has been changed */
+    /**
+     * What was sealed.
+     *
+     * @throws IllegalArgumentException if it was sealed under another password, or has been changed
+     */
     public String open(String sealed) {
         return new String(opened(sealed), StandardCharsets.UTF_8);
     }

@@ -49,7 +49,11 @@ public final class AtomicFile implements Closeable {
         }
     }
 
-    /** Writes a file, over one that is there. @param bytes all of it. Not modified. */
+    /**
+     * Writes a file, over one that is there.
+     *
+     * @param bytes all of it. Not modified.
+     */
     public static void write(Path file, byte[] bytes) throws IOException {
         try (AtomicFile whole = begin(file)) {
             whole.stream.write(bytes);

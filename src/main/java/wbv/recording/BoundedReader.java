@@ -21,7 +21,11 @@ public final class BoundedReader implements RowReader {
     private final RowReader rows;
     private final String name;
 
-    /** The rows of a reader, each looked at; closed with it. @param name of the recording, for messages */
+    /**
+     * The rows of a reader, each looked at; closed with it.
+     *
+     * @param name of the recording, for messages
+     */
     public BoundedReader(RowReader rows, String name) {
         this.rows = rows;
         this.name = name;

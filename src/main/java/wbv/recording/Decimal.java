@@ -20,7 +20,7 @@ public final class Decimal {
     private Decimal() {}
 
     /**
-     * The number that the bytes {@code from} to {@code to} (exclusive) spell. They are not modified.
+     * The number that the bytes {@code from} to {@code to} (exclusive) spell, in whatever unit. They are not modified.
      *
      * @param point the decimal mark besides {@code .}, such as a comma; {@code '.'} for none
      * @throws NumberFormatException if they spell none, or one beyond the range of a double

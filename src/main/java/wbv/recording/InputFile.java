@@ -46,7 +46,11 @@ public final class InputFile {
         return DataFault.at(name, line, "is not JSON: " + (inner < 0 ? why : why.substring(0, inner)), wrong);
     }
 
-    /** Its text, without a byte order mark. @throws DataFault as {@link #bytes}, and where it is not text in UTF-8 */
+    /**
+     * Its text, without a byte order mark.
+     *
+     * @throws DataFault as {@link #bytes}, and where it is not text in UTF-8
+     */
     public static String text(Path path, String what) throws IOException {
         try {
             String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes(path, what))).toString();

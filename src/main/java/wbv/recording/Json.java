@@ -75,7 +75,12 @@ public record Json(String file, String where, JsonNode node) {
         return Optional.of(value.asText());
     }
 
-    /** A number between two bounds, both included. */
+    /**
+     * A number between two bounds, both included.
+     *
+     * @param least in the unit of the field
+     * @param most likewise
+     */
     public OptionalDouble number(String field, double least, double most) {
         if (!has(field)) {
             return OptionalDouble.empty();

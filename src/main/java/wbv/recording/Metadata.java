@@ -50,6 +50,13 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
                 dailyMinutes.isPresent() ? dailyMinutes : other.dailyMinutes, source.or(other::source), bothNotes);
     }
 
-    /** The sitter. @param mass [kg] @param height [m] @param age [years] @param sex as stated; all may be empty */
+    /**
+     * The sitter.
+     *
+     * @param mass [kg]
+     * @param height [m]
+     * @param age [years]
+     * @param sex as stated; all may be empty
+     */
     public record Subject(OptionalDouble mass, OptionalDouble height, OptionalDouble age, Optional<String> sex) {}
 }

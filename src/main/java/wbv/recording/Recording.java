@@ -57,7 +57,11 @@ public final class Recording {
         return length;
     }
 
-    /** The samples from one index to before another, as a recording of its own. @throws IllegalArgumentException if there is none */
+    /**
+     * The samples from one index to before another, as a recording of its own.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public Recording part(int from, int to) {
         if (from < 0 || to > length || from >= to) {
             throw new IllegalArgumentException("a part must lie within samples 0 to " + length + ": " + from + " to " + to);
@@ -83,7 +87,7 @@ public final class Recording {
     }
 
     /**
-     * The samples of a channel, in its SI unit; NaN where missing. Not a copy.
+     * The series of a channel, in its SI unit; NaN where missing. Not a copy.
      *
      * @throws DataFault if the recording has no such channel
      */

@@ -23,7 +23,7 @@ public interface RowReader extends Closeable {
     /**
      * Reads the next row.
      *
-     * @param row filled with time and values, {@code 1 + channels().size()} long. Modified only if a row was read.
+     * @param row filled with time [s] and values, each in its SI unit, {@code 1 + channels().size()} long. Modified only if a row was read.
      * @return false at the end of the recording
      * @throws DataFault   if a cell is not a number, or a row has too few or too many cells
      * @throws IOException if the file cannot be read on

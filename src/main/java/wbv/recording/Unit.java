@@ -39,7 +39,11 @@ public record Unit(String dimension, double times, double over) {
         return new Unit(dimension, times * scale, over);
     }
 
-    /** A value of this unit in SI. */
+    /**
+     * A value in SI units.
+     *
+     * @param value in this unit
+     */
     public double toSi(double value) {
         return value * times / over;
     }

@@ -11,7 +11,10 @@ public final class Digits {
 
     private Digits() {}
 
-    /** At most so many significant digits, without zeros at the end; with a power of ten below 0.0001 and from 10 million on. */
+    /**
+     * At most so many significant digits of a number of any unit, without zeros at the end; with a power of ten below 0.0001 and from 10
+     * million on.
+     */
     public static String significant(double value, int digits) {
         if (!Double.isFinite(value)) {
             return "–";
@@ -37,7 +40,7 @@ public final class Digits {
         return raised.toString();
     }
 
-    /** So many decimals; negative ones round to tens, hundreds, …. */
+    /** So many decimals of a number of any unit; negative ones round to tens, hundreds, …. */
     public static String rounded(double value, int decimals) {
         if (!Double.isFinite(value)) {
             return "–";
@@ -46,13 +49,13 @@ public final class Digits {
         return signed(decimals < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
     }
 
-    /** So many decimals, away from zero, so that what is not nothing does not look like it. */
+    /** So many decimals of a number of any unit, away from zero, so that what is not nothing does not look like it. */
     public static String roundedUp(double value, int decimals) {
         return Double.isFinite(value)
                 ? signed(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.UP).toPlainString()) : "–";
     }
 
-    /** Decimals that show so many significant digits of a positive number. */
+    /** Decimals that show so many significant digits of a positive number of any unit. */
     public static int decimals(double value, int digits) {
         BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
         return digits - (rounded.precision() - rounded.scale());

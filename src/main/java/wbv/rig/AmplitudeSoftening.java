@@ -22,14 +22,23 @@ final class AmplitudeSoftening {
     private double stiffness;
     private double damping;
 
-    /** A sitter who has been at rest. @param on false for one who never softens @param h step [s] */
+    /**
+     * A sitter who has been at rest.
+     *
+     * @param on false for one who never softens
+     * @param h step [s]
+     */
     AmplitudeSoftening(boolean on, double h) {
         this.on = on;
         this.forget = 1 - StrictMath.exp(-h / MEMORY);
         update();
     }
 
-    /** One step. @param a acceleration of the platform [m/s²], length 3. Not modified. */
+    /**
+     * One step.
+     *
+     * @param a acceleration of the platform [m/s²], length 3. Not modified.
+     */
     void feel(double[] a) {
         meanSquare += forget * (a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - meanSquare);
         update();

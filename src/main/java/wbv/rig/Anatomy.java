@@ -28,7 +28,11 @@ final class Anatomy {
     /**
      * A rigid body.
      *
-     * @param share of body mass @param x @param y @param z its centre [m] @param gyration radius of gyration, any axis [m]
+     * @param share of body mass
+     * @param x
+     * @param y
+     * @param z its centre [m]
+     * @param gyration radius of gyration, any axis [m]
      */
     record Body(String name, double share, double x, double y, double z, double gyration) {}
 
@@ -36,11 +40,18 @@ final class Anatomy {
      * A link from a body to the one it carries.
      *
      * @param x         point of attachment [m]; where axes are not coupled, this and the x of every body are taken as 0
-     * @param frequency along x, y, z and about x, y, z [Hz] @param zeta damping ratios in the same order
+     * @param frequency along x, y, z and about x, y, z [Hz]
+     * @param zeta damping ratios in the same order
      */
     record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) {}
 
-    /** Where a sensor sits. @param name of the place @param body @param r from the body's centre [m] */
+    /**
+     * Where a sensor sits.
+     *
+     * @param name of the place
+     * @param body
+     * @param r from the body's centre [m]
+     */
     record Mount(String name, int body, double[] r) {}
 
     private static final double ARM = 0.18;
@@ -111,7 +122,10 @@ final class Anatomy {
         return carried;
     }
 
-    /** @param frequency across (x and y), along z, about x and y, about z [Hz] @param zeta damping ratios in the same order */
+    /**
+     * @param frequency across (x and y), along z, about x and y, about z [Hz]
+     * @param zeta damping ratios in the same order
+     */
     private static Tissue link(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) {
         return new Tissue(from, to, x, y, z, spread(frequency), spread(zeta));
     }

@@ -31,7 +31,11 @@ public enum AntiAlias {
         throw new IllegalArgumentException("an anti-alias filter is one of boxcar linear none: '" + word + "'");
     }
 
-    /** A maker of decimators. @param ticks inner samples in an output interval, &gt;= 1, not always whole */
+    /**
+     * A maker of decimators.
+     *
+     * @param ticks inner samples in an output interval, &gt;= 1, not always whole
+     */
     Supplier<Decimator> decimators(double ticks) {
         if (this == LINEAR) {
             WindowedSinc.Kernel kernel = new WindowedSinc.Kernel(ticks);
@@ -40,7 +44,12 @@ public enum AntiAlias {
         return this == BOXCAR ? () -> new Boxcar(ticks) : Instant::new;
     }
 
-    /** The bandwidth of white noise at the output [Hz]. @param rate output rate [Hz] @param bandwidth of the sensor [Hz] */
+    /**
+     * The bandwidth of white noise at the output [Hz].
+     *
+     * @param rate output rate [Hz]
+     * @param bandwidth of the sensor [Hz]
+     */
     double noiseBandwidth(double rate, double bandwidth) {
         return switch (this) {
             case BOXCAR -> Math.min(rate / 2, bandwidth * Math.PI / 2);

@@ -22,7 +22,11 @@ public final class CarriedPerson {
     private final double[] felt = new double[3];
     private final AmplitudeSoftening softening;
 
-    /** At rest on a cushion. @param h step of {@link #feel} [s] */
+    /**
+     * At rest on a cushion.
+     *
+     * @param h step of {@link #feel} [s]
+     */
     public CarriedPerson(Subject subject, double h) {
         this.subject = subject;
         Skeleton skeleton = new Skeleton(subject, new Anatomy(subject.stature()), Effects.NONE.with(Effect.CUSHION));
@@ -84,22 +88,26 @@ public final class CarriedPerson {
         return Arrays.stream(mass).sum();
     }
 
-    /** One step of the softening's memory. @param acceleration of the frame [m/s²] */
+    /**
+     * One step of the softening's memory.
+     *
+     * @param acceleration of the frame [m/s²]
+     */
     public void feel(double acceleration) {
         felt[2] = acceleration;
         softening.feel(felt);
     }
 
     /** Factor on all stiffnesses of the present; natural frequencies go with its root, damping ratios stay. */
-    public double softness() {
+    public double stiffnessFactor() {
         return softening.stiffness();
     }
 
     /**
      * What the links do.
      *
-     * @param state holds the place of every body less that of the frame [m] from {@code x} on, their rates [m/s] from {@code v} on. Not
-     *              modified.
+     * @param state as long as the whole's states, holds the place of every body less that of the frame [m] from {@code x} on, their rates
+     *              [m/s] from {@code v} on. Not modified.
      * @param into  absolute acceleration of every body [m/s²], as long as {@link #bodies}. Modified.
      * @return force on the frame, upwards positive, without weight [N]
      */
@@ -125,8 +133,8 @@ public final class CarriedPerson {
      * Force from the frame over the frame's acceleration, and acceleration of the trunk over it, at the reference magnitude of the
      * softening.
      *
-     * @param frequency [Hz], &gt; 0 @param response real and imaginary part of the apparent mass [kg], then of the trunk's
-     *                  transmissibility [1]. Modified.
+     * @param frequency [Hz], &gt; 0
+     * @param response four long: real and imaginary part of the apparent mass [kg], then of the trunk's transmissibility [1]. Modified.
      */
     public void respond(double frequency, double[] response) {
         double w = 2 * Math.PI * frequency;

@@ -5,7 +5,11 @@ import java.util.EnumSet;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The effects that are on. @param on a set, copied */
+/**
+ * The effects that are on.
+ *
+ * @param on a set, copied
+ */
 public record Effects(Set<Effect> on) {
 
     /** Everything but packet loss. */

@@ -21,7 +21,10 @@ final class Happenings {
     private double headBefore;
     private final double[] row = new double[NAMES.size()];
 
-    /** @param places of the sitter @param rate of the rows [Hz] */
+    /**
+     * @param places of the sitter
+     * @param rate of the rows [Hz]
+     */
     Happenings(Plant plant, List<String> places, double rate) {
         this.plant = plant;
         this.seat = places.indexOf("seat");

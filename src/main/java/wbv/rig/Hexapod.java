@@ -18,7 +18,11 @@ final class Hexapod {
     private final double[][] states = new double[Axis.COUNT][];
     private final double[] previous = new double[Axis.COUNT];
 
-    /** A platform at rest. @param h step [s] */
+    /**
+     * A platform at rest.
+     *
+     * @param h step [s]
+     */
     Hexapod(double h) {
         double w = 2 * StrictMath.PI * CORNER;
         double[][] a = new double[5][5];

@@ -97,8 +97,10 @@ final class Imu {
     /**
      * The output of one instant, put where the channels stand in the recording.
      *
-     * @param fraction where the instant lies in the last inner step @param row measured values, NaN if lost. Modified.
-     * @param clean    what an ideal sensor would have given. Modified. @param offset index of the first channel in both
+     * @param fraction where the instant lies in the last inner step
+     * @param row measured values, NaN if lost. Modified.
+     * @param clean    what an ideal sensor would have given. Modified.
+     * @param offset index of the first channel in both
      */
     void take(double fraction, double[] row, double[] clean, int offset) {
         boolean lost = loss.next();

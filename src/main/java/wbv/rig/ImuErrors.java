@@ -3,7 +3,9 @@ package wbv.rig;
 /**
  * What the sensors at a place do to what they measure.
  *
- * @param acceleration in m/s² @param rate in rad/s @param field in units of the local field of the earth
+ * @param acceleration in m/s²
+ * @param rate in rad/s
+ * @param field in units of the local field of the earth
  * @param force        of the force plate on the seat, in N
  * @param tilt         standard deviation of the error of attitude about x and about y [rad]
  * @param lossShare    share of packets lost where losses are on, 0 to less than 1; the force plate is wired
@@ -23,10 +25,10 @@ public record ImuErrors(Part acceleration, Part rate, Part field, Part force, do
      * What one kind of sensor does, in its unit.
      *
      * @param noise     density of its white noise [unit/√Hz]
-     * @param bias      standard deviation of its constant offset from sensor to sensor
-     * @param drift     standard deviation of the offset that walks
-     * @param range     it clips beyond this
-     * @param step      resolution in which it sends, &gt;= 0; 0 is exact
+     * @param bias      standard deviation of its constant offset from sensor to sensor, in its unit
+     * @param drift     standard deviation of the offset that walks, in its unit
+     * @param range     it clips beyond this, in its unit
+     * @param step      resolution in which it sends, in its unit, &gt;= 0; 0 is exact
      * @param bandwidth corner of the single-pole low-pass inside [Hz]
      */
     public record Part(double noise, double bias, double drift, double range, double step, double bandwidth) {

@@ -46,7 +46,13 @@ final class LinearStep {
         }
     }
 
-    /** Moves the state on. @param x n values. Modified. @param u0 input at the start @param u1 input at the end of the step */
+    /**
+     * Moves the state on.
+     *
+     * @param x n values. Modified.
+     * @param u0 input at the start
+     * @param u1 input at the end of the step
+     */
     void apply(double[] x, double u0, double u1) {
         for (int i = 0; i < n; i++) {
             double sum = before[i] * u0 + after[i] * u1;

@@ -22,9 +22,12 @@ final class Link {
     private final double[] force = new double[DIRECTIONS];
 
     /**
-     * @param from  first coordinate of the lower body; negative for the platform @param to first coordinate of the upper body
-     * @param below from the lower body's centre to the point [m] @param above from the upper body's centre to the point [m]
-     * @param stiffness along x, y, z, about x, y, z @param damping in the same order
+     * @param from  first coordinate of the lower body; negative for the platform
+     * @param to first coordinate of the upper body
+     * @param below from the lower body's centre to the point [m]
+     * @param above from the upper body's centre to the point [m]
+     * @param stiffness along x, y, z, about x, y, z
+     * @param damping in the same order
      */
     Link(int from, int to, double[] below, double[] above, double[] stiffness, double[] damping) {
         this.from = from;
@@ -39,8 +42,11 @@ final class Link {
     /**
      * Adds the link's forces and moments on both bodies.
      *
-     * @param x coordinates relative to the platform. Not modified. @param v their rates. Not modified.
-     * @param stiffnessFactor of the present @param dampingFactor of the present @param into forces on all coordinates. Modified.
+     * @param x coordinates relative to the platform. Not modified.
+     * @param v their rates. Not modified.
+     * @param stiffnessFactor of the present
+     * @param dampingFactor of the present
+     * @param into forces on all coordinates. Modified.
      */
     void act(double[] x, double[] v, double stiffnessFactor, double dampingFactor, double[] into) {
         relative(x, deflection);

@@ -13,8 +13,10 @@ interface LinkLaw {
     /**
      * The restoring force [N], or moment [N·m].
      *
-     * @param deflection [m or rad] @param rate [m/s or rad/s]
-     * @param stiffness  of the present [N/m or N·m/rad], softening included @param damping of the present
+     * @param deflection [m or rad]
+     * @param rate [m/s or rad/s]
+     * @param stiffness  of the present [N/m or N·m/rad], softening included
+     * @param damping of the present
      */
     double force(double deflection, double rate, double stiffness, double damping);
 }

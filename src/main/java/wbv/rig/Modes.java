@@ -15,7 +15,12 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  */
 record Modes(List<Mode> list) {
 
-    /** A mode. @param zeta damping ratio @param omega undamped natural frequency [rad/s] */
+    /**
+     * A mode.
+     *
+     * @param zeta damping ratio
+     * @param omega undamped natural frequency [rad/s]
+     */
     record Mode(double zeta, double omega) {}
 
     /** @param a n by n, n even. Not modified. */

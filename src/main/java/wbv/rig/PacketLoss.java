@@ -10,7 +10,10 @@ final class PacketLoss {
     private final RandomGenerator random;
     private boolean lost;
 
-    /** @param share of packets lost, 0 to less than 1 @param burst mean number lost in a row, &gt;= 1 */
+    /**
+     * @param share of packets lost, 0 to less than 1
+     * @param burst mean number lost in a row, &gt;= 1
+     */
     PacketLoss(double share, double burst, RandomGenerator random) {
         this.end = 1 / burst;
         this.begin = share / (burst * (1 - share));

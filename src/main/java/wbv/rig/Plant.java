@@ -24,16 +24,29 @@ interface Plant {
     /** Names of the true parameters, such as {@code zeta} and {@code omega}. */
     List<String> parameters();
 
-    /** Writes the true parameters of this instant. @param into as long as {@link #parameters}. Modified. */
+    /**
+     * Writes the true parameters of this instant.
+     *
+     * @param into as long as {@link #parameters}. Modified.
+     */
     void parameters(double[] into);
 
     /** Names of the states of the equations of motion, with their units. */
     List<String> states();
 
-    /** Writes the states of this instant. @param into as long as {@link #states}. Modified. */
+    /**
+     * Writes the states of this instant.
+     *
+     * @param into as long as {@link #states}. Modified.
+     */
     void states(double[] into);
 
-    /** The running plant of a sitter. @param h inner step [s] @param start time of the first step's end [s] */
+    /**
+     * The running plant of a sitter.
+     *
+     * @param h inner step [s]
+     * @param start time of the first step's end [s]
+     */
     static Plant of(Sitter sitter, Effects effects, double h, double start) {
         if (sitter instanceof Sitter.OneDof one) {
             return LinearPlant.of(one, h, start);

@@ -110,7 +110,11 @@ public final class RigRun implements RowReader {
         return plant.parameters();
     }
 
-    /** The true parameters at the last row read. @param into as long as {@link #parameters}. Modified. */
+    /**
+     * The true parameters at the last row read.
+     *
+     * @param into as long as {@link #parameters}, each in its own unit. Modified.
+     */
     public void parameters(double[] into) {
         plant.parameters(into);
     }
@@ -120,7 +124,11 @@ public final class RigRun implements RowReader {
         return plant.states();
     }
 
-    /** The states at the last row read. @param into as long as {@link #states}. Modified. */
+    /**
+     * The states at the last row read.
+     *
+     * @param into as long as {@link #states}, each in its own unit. Modified.
+     */
     public void states(double[] into) {
         plant.states(into);
     }
@@ -133,7 +141,11 @@ public final class RigRun implements RowReader {
         return spec.program().eventful() ? Happenings.NAMES : List.of();
     }
 
-    /** What is true of the events at the last row read. @param into as long as {@link #events}. Modified. */
+    /**
+     * What is true of the events at the last row read.
+     *
+     * @param into as long as {@link #events}, each in its own unit. Modified.
+     */
     public void events(double[] into) {
         if (into.length > 0) {
             happenings.copy(into);
@@ -143,7 +155,7 @@ public final class RigRun implements RowReader {
     /**
      * What ideal sensors, without noise, bias, tilt, bandwidth, range or loss, would have given as the last row read.
      *
-     * @param into time and channels, as for {@link #read}. Modified.
+     * @param into time [s] and channels in SI units, as long as for {@link #read}. Modified.
      */
     public void ideal(double[] into) {
         System.arraycopy(clean, 0, into, 0, clean.length);

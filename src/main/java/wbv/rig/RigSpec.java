@@ -27,7 +27,7 @@ import wbv.rig.platform.SpecNumbers;
  * @param seed     of everything random
  * @param rate     output rate of the sensors [Hz], &gt; 0 to 1000
  * @param filter   anti-alias filter of the sensors
- * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
+ * @param noise    ratio of the densities of the sensors' noise to those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
  * @param effects  what is on; of a linear sitter, only what the sensors do
  * @param channels what is recorded, in this order: {@code acc}, {@code accg}, {@code gyr} and {@code mag} of the sitter's places,
  *                 {@code force} of the seat
@@ -72,7 +72,9 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
      * The linear sitter with one degree of freedom under vertical random motion from 0.5 to 12 Hz, at 60 Hz with the sensors'
      * usual errors: what an estimator is measured against.
      *
-     * @param zeta damping ratio @param frequency undamped natural frequency [Hz] @param rms of the platform [m/s²]
+     * @param zeta damping ratio
+     * @param frequency undamped natural frequency [Hz]
+     * @param rms of the platform [m/s²]
      * @param seconds length [s]
      */
     public static RigSpec oneDof(double zeta, double frequency, double rms, double seconds, long seed) {
@@ -81,7 +83,13 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
                 AntiAlias.BOXCAR, 1, Effects.USUAL, Channels.usual(sitter, false));
     }
 
-    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 @param seconds [s] */
+    /**
+     * A person under a regime, all ten sensors at 60 Hz.
+     *
+     * @param subject 1 to 4
+     * @param regime 0 to 8
+     * @param seconds [s]
+     */
     public static RigSpec person(int subject, int regime, double seconds, long seed) {
         Sitter sitter = new Sitter.Person(Subject.of(subject));
         return new RigSpec(sitter, Program.of(new PlatformExcitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,
@@ -149,7 +157,8 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
     /**
      * All springs of a linear sitter multiplied at a time.
      *
-     * @param factor new over old stiffness @param time when [s]
+     * @param factor new over old stiffness
+     * @param time when [s]
      * @throws IllegalArgumentException if the sitter is a person
      */
     public RigSpec withStiffnessStep(double factor, double time) {

@@ -29,7 +29,10 @@ final class RigTruth implements Closeable {
     private final double[] ideal;
     private final StringBuilder line = new StringBuilder();
 
-    /** @param csv the file to write @param full whether states and ideal outputs are wanted */
+    /**
+     * @param csv the file to write
+     * @param full whether states and ideal outputs are wanted
+     */
     RigTruth(RigRun run, Path csv, boolean full) throws IOException {
         this.run = run;
         this.file = AtomicFile.begin(csv);
@@ -48,7 +51,11 @@ final class RigTruth implements Closeable {
         out.write(String.join(",", names) + "\n");
     }
 
-    /** Writes the truth of the last row read. @param t its time [s] */
+    /**
+     * Writes the truth of the last row read.
+     *
+     * @param t its time [s]
+     */
     void write(double t) throws IOException {
         line.append(t);
         run.parameters(parameters);
@@ -83,7 +90,11 @@ final class RigTruth implements Closeable {
         file.close();
     }
 
-    /** The constants of an experiment as JSON. @param run not yet read from */
+    /**
+     * The constants of an experiment as JSON.
+     *
+     * @param run not yet read from
+     */
     static String json(RigRun run) {
         double[] parameters = new double[run.parameters().size()];
         run.parameters(parameters);

@@ -7,7 +7,13 @@ final class RotationVector {
     private double sine;
     private double cosine = 1;
 
-    /** Sets the sensor's rotation against the world. @param x @param y @param z rotation vector [rad] */
+    /**
+     * Sets the sensor's rotation against the world.
+     *
+     * @param x
+     * @param y
+     * @param z rotation vector [rad]
+     */
     void set(double x, double y, double z) {
         double angle = Math.sqrt(x * x + y * y + z * z);
         sine = StrictMath.sin(angle);
@@ -21,7 +27,8 @@ final class RotationVector {
     /**
      * v cos - (n × v) sin + n (n·v)(1 - cos): Rodrigues' formula for the inverse rotation.
      *
-     * @param v in the world's axes. Not modified. @param into in the sensor's. Modified.
+     * @param v in the world's axes. Not modified.
+     * @param into in the sensor's. Modified.
      */
     void turn(double[] v, double[] into) {
         double dot = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];

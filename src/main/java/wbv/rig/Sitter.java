@@ -10,9 +10,17 @@ public sealed interface Sitter {
     /** Where sensors can sit, {@code platform} first. */
     List<String> places();
 
-    /** A change of stiffness: all springs are multiplied at once, masses and dampers stay. */
+    /**
+     * A change of stiffness: all springs are multiplied at once, masses and dampers stay.
+     *
+     * @param factor new over old stiffness
+     * @param time when [s]
+     */
     record Step(double factor, double time) {
-        /** @param factor new over old stiffness, 0.001 to 1000 @param time when [s], &gt;= 0 */
+        /**
+         * @param factor new over old stiffness, 0.001 to 1000
+         * @param time when [s], &gt;= 0
+         */
         public Step {
             if (!(factor >= 1e-3 && factor <= 1e3)) {
                 throw new IllegalArgumentException("stiffness factor must be 0.001 to 1000: " + factor);
@@ -35,12 +43,20 @@ public sealed interface Sitter {
      * <p>Where it is coupled, the base's horizontal accelerations push the mass up as well, with m (c_x a_x + c_y a_y), as on
      * a slanting guide or a lever: its vertical acceleration gains s² / (s² + 2ζωs + ω²) · (c_x a_x + c_y a_y).
      *
-     * @param zeta damping ratio, 0 to 2 @param frequency undamped natural frequency [Hz], to 50 @param step change of stiffness
-     * @param crossX c_x, -2 to 2 @param crossY c_y, -2 to 2
+     * @param zeta damping ratio, 0 to 2
+     * @param frequency undamped natural frequency [Hz], to 50
+     * @param step change of stiffness
+     * @param crossX c_x [1], -2 to 2
+     * @param crossY c_y [1], -2 to 2
      */
     record OneDof(double zeta, double frequency, Optional<Step> step, double crossX, double crossY) implements Sitter {
 
-        /** A body that the base's horizontal motion does not push up. */
+        /**
+         * A body that the base's horizontal motion does not push up.
+         *
+         * @param zeta damping ratio
+         * @param frequency [Hz]
+         */
         public OneDof(double zeta, double frequency, Optional<Step> step) {
             this(zeta, frequency, step, 0, 0);
         }
@@ -66,8 +82,13 @@ public sealed interface Sitter {
     /**
      * A torso and a head in series, vertical.
      *
-     * @param torso mass [kg] @param k1 seat-torso stiffness [N/m] @param c1 its damping [N·s/m]
-     * @param head  mass [kg] @param k2 torso-head stiffness [N/m] @param c2 its damping [N·s/m] @param step change of stiffness
+     * @param torso mass [kg]
+     * @param k1 seat-torso stiffness [N/m]
+     * @param c1 its damping [N·s/m]
+     * @param head  mass [kg]
+     * @param k2 torso-head stiffness [N/m]
+     * @param c2 its damping [N·s/m]
+     * @param step change of stiffness
      */
     record TwoDof(double torso, double k1, double c1, double head, double k2, double c2, Optional<Step> step)
             implements Sitter {
@@ -95,7 +116,11 @@ public sealed interface Sitter {
         }
     }
 
-    /** A whole person. @param subject who */
+    /**
+     * A whole person.
+     *
+     * @param subject who
+     */
     record Person(Subject subject) implements Sitter {
 
         @Override

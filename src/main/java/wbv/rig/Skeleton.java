@@ -82,8 +82,11 @@ final class Skeleton {
     /**
      * The links' forces on all coordinates.
      *
-     * @param x coordinates. Not modified. @param v their rates. Not modified.
-     * @param stiffness factor of the present @param damping factor of the present @param into forces. Modified.
+     * @param x coordinates. Not modified.
+     * @param v their rates. Not modified.
+     * @param stiffness factor of the present
+     * @param damping factor of the present
+     * @param into forces. Modified.
      */
     void forces(double[] x, double[] v, double stiffness, double damping, double[] into) {
         Arrays.fill(into, 0);

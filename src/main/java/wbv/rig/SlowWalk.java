@@ -15,7 +15,10 @@ final class SlowWalk {
     private final RandomGenerator random;
     private double value;
 
-    /** @param deviation standard deviation, &gt;= 0 @param interval time between two calls of {@link #next} [s] */
+    /**
+     * @param deviation standard deviation, &gt;= 0
+     * @param interval time between two calls of {@link #next} [s]
+     */
     SlowWalk(double deviation, double interval, RandomGenerator random) {
         this.random = random;
         keep = StrictMath.exp(-interval / TIME);

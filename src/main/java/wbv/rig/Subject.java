@@ -15,7 +15,7 @@ import wbv.rig.platform.SpecNumbers;
  * @param origin    the word by which he is drawn: {@code 1} to {@code 4}, or {@code random:7}
  * @param mass      body mass [kg], 30 to 200
  * @param stature   [m], 1.2 to 2.2
- * @param tautness  natural frequencies over those of the average sitter, sitting normally
+ * @param tautness  ratio of the natural frequencies to those of the average sitter, sitting normally
  * @param tightness damping ratios over those of the average sitter
  * @param posture   how he sits
  */
@@ -41,7 +41,11 @@ public record Subject(String origin, double mass, double stature, double tautnes
         require("tightness must be 0.5 to 2", tightness, 0.5, 2);
     }
 
-    /** One of the four. @throws IllegalArgumentException if the number is not 1 to 4 */
+    /**
+     * One of the four.
+     *
+     * @throws IllegalArgumentException if the number is not 1 to 4
+     */
     public static Subject of(int number) {
         if (number < 1 || number > ALL.size()) {
             throw new IllegalArgumentException("subject must be 1 to " + ALL.size() + ": " + number);
@@ -59,7 +63,11 @@ public record Subject(String origin, double mass, double stature, double tautnes
         return new Subject("random:" + seed, hundredths(mass), hundredths(stature), tautness, tightness, Posture.NORMAL);
     }
 
-    /** Reads {@code 1} to {@code 4}, or {@code random:7}. @throws IllegalArgumentException if the word is neither */
+    /**
+     * Reads {@code 1} to {@code 4}, or {@code random:7}.
+     *
+     * @throws IllegalArgumentException if the word is neither
+     */
     static Subject parse(String word) {
         if (!word.startsWith("random:")) {
             return of(SpecNumbers.parseIndex("subject", word, 1, ALL.size()));

@@ -31,7 +31,12 @@ final class BodyFollower implements Snapshot {
         this.frequencyBefore = estimator.track().frequency();
     }
 
-    /** Takes a sample. @param row Not modified. @param time of it [s] */
+    /**
+     * Takes a sample.
+     *
+     * @param row Not modified.
+     * @param time of it [s]
+     */
     BodyEstimate step(double[] row, double time, Consumer<SeatAlarm> alarms) {
         BodyEstimate track = estimator.step(row[input], row[output]);
         explained.accept(track.prediction(), row[output], body.spec().rate(), track.excited());

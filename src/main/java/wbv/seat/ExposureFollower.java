@@ -39,7 +39,11 @@ final class ExposureFollower implements Snapshot {
         begin(Double.NaN);
     }
 
-    /** Another shift. @param time of its first sample [s], NaN if it is not known yet */
+    /**
+     * Another shift.
+     *
+     * @param time of its first sample [s], NaN if it is not known yet
+     */
     void begin(double time) {
         for (int i = 0; i < meters.length; i++) {
             meters[i] = plan.meter(axes.get(i));
@@ -49,7 +53,12 @@ final class ExposureFollower implements Snapshot {
         told = Directive.Verdict.BELOW_ACTION;
     }
 
-    /** Takes a sample. @param row NaN where missing. Not modified. @param time of it [s] */
+    /**
+     * Takes a sample.
+     *
+     * @param row NaN where missing. Not modified.
+     * @param time of it [s]
+     */
     void step(double[] row, double time) {
         if (samples >= DAY * plan.rate()) {
             begin(time);
@@ -92,7 +101,11 @@ final class ExposureFollower implements Snapshot {
         return Math.max(0, least) / 60;
     }
 
-    /** Tells of a value that is reached for the first time in the shift. @param time now [s] */
+    /**
+     * Tells of a value that is reached for the first time in the shift.
+     *
+     * @param time now [s]
+     */
     void tell(SeatResult.Exposure exposure, double time, Consumer<SeatAlarm> alarms) {
         Directive.Verdict verdict = exposure.verdict();
         if (verdict != Directive.Verdict.UNKNOWN && verdict.compareTo(told) > 0) {

@@ -22,7 +22,7 @@ import wbv.recording.DataFault;
  * @param time     of the first sample, by the sensor's own clock [s]
  * @param rate     of the samples [Hz]
  * @param channels values of a sample, in an order that both ends know
- * @param values   sample by sample, NaN where missing. Not copied; do not change them.
+ * @param values   sample by sample, each in the unit of its channel, NaN where missing. Not copied; do not change them.
  */
 public record Packet(String seat, long counter, double time, double rate, int channels, double[] values) {
 
@@ -102,7 +102,8 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     /**
      * Looks for a packet at a place among bytes.
      *
-     * @param bytes Not modified. @param to behind the last of them
+     * @param bytes Not modified.
+     * @param to behind the last of them
      * @return length of the whole packet that begins there; 0 if none does; if one may that goes on behind these, minus its length
      *         so far as it is known
      */

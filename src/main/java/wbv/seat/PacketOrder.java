@@ -49,10 +49,18 @@ final class PacketOrder {
         /** The next one. */
         void take(Packet packet);
 
-        /** Samples that never came. @param from time of the first of them [s] */
+        /**
+         * Samples that never came.
+         *
+         * @param from time of the first of them [s]
+         */
         void miss(long samples, double from);
 
-        /** The counter or the clock has begun again. @param time of the next sample by the new clock [s] */
+        /**
+         * The counter or the clock has begun again.
+         *
+         * @param time of the next sample by the new clock [s]
+         */
         void beginAgain(double time, String reason);
     }
 

@@ -46,8 +46,10 @@ public final class Seat implements Snapshot {
         /**
          * A sample.
          *
-         * @param time   of it [s] @param body number of the body in the plan
-         * @param input  what shook it @param output what it did; NaN where missing
+         * @param time   of it [s]
+         * @param body number of the body in the plan
+         * @param input  what shook it [m/s² or rad/s]
+         * @param output what it did, in that unit; NaN where missing
          * @param track  what is known after it. Read it before the next.
          */
         void see(double time, int body, double input, double output, BodyEstimate track);
@@ -67,7 +69,11 @@ public final class Seat implements Snapshot {
         REFUSED
     }
 
-    /** A seat before its first packet. @param name of the seat, as its packets have it */
+    /**
+     * A seat before its first packet.
+     *
+     * @param name of the seat, as its packets have it
+     */
     public Seat(String name, SeatPlan plan) {
         this.name = name;
         this.plan = plan;
@@ -92,7 +98,11 @@ public final class Seat implements Snapshot {
         return plan;
     }
 
-    /** Takes a packet. @param results takes what comes of it and of those that waited for it, in order */
+    /**
+     * Takes a packet.
+     *
+     * @param results takes what comes of it and of those that waited for it, in order
+     */
     public Taken accept(Packet packet, Consumer<? super SeatResult> results) {
         if (!packet.seat().equals(name) || !plan.fits(packet)) {
             refused++;

@@ -42,7 +42,12 @@ public final class SeatPlan {
     private final List<Forecast> forecasts = new ArrayList<>();
     private final int interval;
 
-    /** A body to follow. @param input channel that shakes it @param output channel of its motion */
+    /**
+     * A body to follow.
+     *
+     * @param input channel that shakes it
+     * @param output channel of its motion
+     */
     public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) {}
 
     /**
@@ -106,6 +111,7 @@ public final class SeatPlan {
      * The usual plan for channels: the vertical of platform, floor or seat shakes the head (or sternum, pelvis, seat), exposure
      * of seat, platform or floor where the rate allows it, results every second.
      *
+     * @param rate   of the samples [Hz]
      * @param states used where the packets have its channels and rate
      */
     public static SeatPlan usual(double rate, List<Channel> channels, Method method, boolean boxcar, Optional<StateModel> states) {
@@ -149,7 +155,11 @@ public final class SeatPlan {
         return found;
     }
 
-    /** Place of a channel in a sample. @throws DataFault if it is not there */
+    /**
+     * Place of a channel in a sample.
+     *
+     * @throws DataFault if it is not there
+     */
     int column(Channel channel) {
         int column = channels.indexOf(channel);
         if (column < 0) {

@@ -43,7 +43,14 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
         }
     }
 
-    /** Natural frequency [Hz] and damping ratio [1] with their standard deviations. */
+    /**
+     * Natural frequency and damping with their standard deviations.
+     *
+     * @param frequency [Hz]
+     * @param frequencyDeviation [Hz]
+     * @param damping [1]
+     * @param dampingDeviation [1]
+     */
     public record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
     /**
@@ -51,11 +58,11 @@ public record SeatResult(String seat, double time, long sample, List<Body> bodie
      *
      * @param since           beginning of the shift [s by the sensor's clock]
      * @param seconds         measured
-     * @param missing         not measured [s]
+     * @param missing         time that was not measured [s]
      * @param axes            that are measured
      * @param a8              daily exposure of the time measured, on the worst axis [m/s²]
      * @param vdv             dose of the time measured, on the worst axis [m/s^1.75]
-     * @param minutesToAction until A(8) or the dose reaches the action value if it goes on as so far; 0 when reached, infinite
+     * @param minutesToAction [min] until A(8) or the dose reaches the action value if it goes on as so far; 0 when reached, infinite
      *                        without vibration
      * @param minutesToLimit  likewise for the limit value
      */

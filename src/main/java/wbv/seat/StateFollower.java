@@ -31,7 +31,11 @@ final class StateFollower implements Snapshot {
         this.chain = new double[model.chain().states()];
     }
 
-    /** Takes a sample. @param row NaN where missing. Not modified. */
+    /**
+     * Takes a sample.
+     *
+     * @param row NaN where missing. Not modified.
+     */
     void step(double[] row) {
         int[] columns = plan.stateColumns();
         for (int i = 0; i < sample.length; i++) {

@@ -48,7 +48,8 @@ public final class Attitude implements Serializable {
      * force
      * nothing corrects it.
      *
-     * @param specific [m/s²] @param rate [rad/s], both in the sensor's axes. Not modified.
+     * @param specific [m/s²], three long
+     * @param rate [rad/s], both in the sensor's axes, three long. Not modified.
      */
     public void accept(double[] specific, double[] rate) {
         if (Vectors.known(rate)) {
@@ -105,17 +106,27 @@ public final class Attitude implements Serializable {
         return count > 0;
     }
 
-    /** Bias of the angular rate as known now [rad/s], a new array. What turns about the upright is not seen. */
+    /** Bias of the angular rate as known now [rad/s], three long, a new array. What turns about the upright is not seen. */
     public double[] bias() {
         return bias.clone();
     }
 
-    /** Free acceleration in the world's axes [m/s²]. @param specific of the sensor. Not modified. @param out Modified. */
+    /**
+     * Free acceleration in the world's axes [m/s²].
+     *
+     * @param specific of the sensor [m/s²], three long. Not modified.
+     * @param out [m/s²], three long. Modified.
+     */
     public void free(double[] specific, double[] out) {
         Gravity.removeInWorld(orientation, specific, out);
     }
 
-    /** Free acceleration in the sensor's own axes [m/s²]. @param specific of the sensor. Not modified. @param out Modified. */
+    /**
+     * Free acceleration in the sensor's own axes [m/s²].
+     *
+     * @param specific of the sensor [m/s²], three long. Not modified.
+     * @param out [m/s²], three long. Modified.
+     */
     public void freeInSensor(double[] specific, double[] out) {
         Gravity.removeInWorld(orientation, specific, out);
         orientation.inward(out, out);

@@ -6,7 +6,11 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 
-/** Where the axes of a quantity of a place stand in a row. @param columns of x, y, z, or of w, x, y, z */
+/**
+ * Where the axes of a quantity of a place stand in a row.
+ *
+ * @param columns of x, y, z, or of w, x, y, z
+ */
 record AxisColumns(int[] columns) {
 
     /** Whether the channels hold all axes. */
@@ -25,14 +29,20 @@ record AxisColumns(int[] columns) {
                 .map(axis -> 1 + channels.indexOf(new Channel(place, quantity, (char) axis))).toArray());
     }
 
-    /** @param row Not modified. @param out Modified. */
+    /**
+     * @param row Not modified.
+     * @param out Modified.
+     */
     void take(double[] row, double[] out) {
         for (int i = 0; i < columns.length; i++) {
             out[i] = row[columns[i]];
         }
     }
 
-    /** @param row Modified. @param values Not modified. */
+    /**
+     * @param row Modified.
+     * @param values Not modified.
+     */
     void put(double[] row, double[] values) {
         for (int i = 0; i < columns.length; i++) {
             row[columns[i]] = values[i];

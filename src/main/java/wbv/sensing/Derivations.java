@@ -15,7 +15,12 @@ import wbv.recording.Channel;
  */
 public record Derivations(Optional<Still> still, List<String> free, List<Lever> levers, List<Joint> joints, double settling) {
 
-    /** A stretch of time. @param from @param to on the recording's clock [s] */
+    /**
+     * A stretch of time.
+     *
+     * @param from
+     * @param to on the recording's clock [s]
+     */
     public record Still(double from, double to) {
         public Still {
             if (!(to > from) || Double.isInfinite(to - from)) {
@@ -29,7 +34,13 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
     /** Eleven days [s]. */
     private static final double SLOWEST = 1e6;
 
-    /** A point. @param place that is measured @param arm from there to the point [m] @param name of the point */
+    /**
+     * A point.
+     *
+     * @param place that is measured
+     * @param arm from there to the point [m]
+     * @param name of the point
+     */
     public record Lever(String place, List<Double> arm, String name) {
         public Lever {
             requireName(place);
@@ -41,7 +52,13 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
         }
     }
 
-    /** Two segments. @param lower place on the one @param upper place on the other @param name of the joint */
+    /**
+     * Two segments.
+     *
+     * @param lower place on the one
+     * @param upper place on the other
+     * @param name of the joint
+     */
     public record Joint(String lower, String upper, String name) {
         public Joint {
             requireName(lower);

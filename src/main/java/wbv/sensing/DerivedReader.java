@@ -62,7 +62,8 @@ public final class DerivedReader implements RowReader {
     /**
      * How every sensor with specific force and angular rate is worn, from a pose held still.
      *
-     * @param rows read to the end of the pose @param rate of theirs [Hz]
+     * @param rows read to the end of the pose
+     * @param rate of theirs [Hz]
      */
     public static Map<String, StillPose.Worn> worn(RowReader rows, double rate, Derivations.Still still) throws IOException {
         Map<String, StillPose> poses = new LinkedHashMap<>();
@@ -208,7 +209,10 @@ public final class DerivedReader implements RowReader {
             written = add(lever.name(), quantity);
         }
 
-        /** @param now the newest row. Not modified. @param then the row that the result belongs to. Modified. */
+        /**
+         * @param now the newest row. Not modified.
+         * @param then the row that the result belongs to. Modified.
+         */
         void apply(double[] now, double[] then) {
             acceleration.take(now, a);
             turning.take(now, w);

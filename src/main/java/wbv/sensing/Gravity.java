@@ -13,7 +13,8 @@ final class Gravity {
      * as
      * they must read).
      *
-     * @param specific in the sensor's axes [m/s²]. Not modified. @param out Modified.
+     * @param specific in the sensor's axes [m/s²]. Not modified.
+     * @param out Modified.
      */
     static void removeInWorld(Orientation sensor, double[] specific, double[] out) {
         sensor.outward(specific, out);

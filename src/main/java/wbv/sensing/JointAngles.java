@@ -5,15 +5,17 @@ package wbv.sensing;
  * left
  * (flexion), the axis forward (lateral), and the upper segment's upright (axial), as in the thesis' Figure 3-13 for the neck.
  *
- * @param flexion positive forward [rad] @param lateral positive to the right [rad], within ±π/2 @param axial positive to the
- *                left [rad]
+ * @param flexion positive forward [rad]
+ * @param lateral positive to the right [rad], within ±π/2
+ * @param axial positive to the left [rad]
  */
 public record JointAngles(double flexion, double lateral, double axial) {
 
     /**
      * The angles between two segments, both against the same world.
      *
-     * @param lower @param upper segment to world, aligned so that both are alike in the neutral pose. Not modified.
+     * @param lower
+     * @param upper segment to world, aligned so that both are alike in the neutral pose. Not modified.
      */
     public static JointAngles between(Orientation lower, Orientation upper) {
         double[] angles = new double[3];
@@ -21,7 +23,11 @@ public record JointAngles(double flexion, double lateral, double axial) {
         return new JointAngles(angles[0], angles[1], angles[2]);
     }
 
-    /** The same into an array: flexion, lateral, axial [rad]. @param out Modified. */
+    /**
+     * The same into an array: flexion, lateral, axial [rad].
+     *
+     * @param out three long [rad]. Modified.
+     */
     public static void between(Orientation lower, Orientation upper, double[] out) {
         // q = lower⁻¹ ⊗ upper, then R = R_y(flexion) R_x(lateral) R_z(axial).
         double a = lower.w();

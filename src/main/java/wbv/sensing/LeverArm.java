@@ -22,7 +22,7 @@ public final class LeverArm {
      * From one point of a segment to another.
      *
      * @param rate samples per second [Hz]
-     * @param arm  from the point that is measured to the one that is wanted [m], in the segment's axes. Not modified.
+     * @param arm  from the point that is measured to the one that is wanted [m], in the segment's axes, three long. Not modified.
      */
     public LeverArm(double rate, double[] arm) {
         if (arm.length != 3 || !Double.isFinite(arm[0] + arm[1] + arm[2])) {
@@ -46,7 +46,9 @@ public final class LeverArm {
     /**
      * Takes a sample and gives the acceleration of {@link #delay()} samples ago; NaN before the first and near missing ones.
      *
-     * @param acceleration [m/s²] @param rate [rad/s], both in the segment's axes. Not modified. @param out Modified.
+     * @param acceleration [m/s²], three long
+     * @param rate [rad/s], both in the segment's axes, three long. Not modified.
+     * @param out [m/s²], three long. Modified.
      */
     public void accept(double[] acceleration, double[] rate, double[] out) {
         for (int i = 0; i < 3; i++) {

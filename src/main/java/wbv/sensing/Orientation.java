@@ -18,14 +18,27 @@ public final class Orientation implements Serializable {
     /** Both frames alike. */
     public Orientation() {}
 
-    /** As a quaternion with its real part first, of any length but 0. @throws IllegalArgumentException if it is none */
+    /**
+     * As a quaternion with its real part first, of any length but 0.
+     *
+     * @param w [1]
+     * @param x [1]
+     * @param y [1]
+     * @param z [1]
+     * @throws IllegalArgumentException if it is none
+     */
     public static Orientation of(double w, double x, double y, double z) {
         Orientation made = new Orientation();
         made.set(w, x, y, z);
         return made;
     }
 
-    /** The least rotation that turns one direction into another. @param from @param to of any length but 0. Not modified. */
+    /**
+     * The least rotation that turns one direction into another.
+     *
+     * @param from
+     * @param to three long, of any unit, not all 0. Not modified.
+     */
     public static Orientation between(double[] from, double[] to) {
         double[] a = Vectors.unit(from);
         double[] b = Vectors.unit(to);
@@ -39,7 +52,15 @@ public final class Orientation implements Serializable {
         return of(1 + dot, cross[0], cross[1], cross[2]);
     }
 
-    /** Sets it to a quaternion of any length but 0. @throws IllegalArgumentException if it is none */
+    /**
+     * Sets it to a quaternion of any length but 0.
+     *
+     * @param qw
+     * @param qx
+     * @param qy
+     * @param qz its parts [1]
+     * @throws IllegalArgumentException if it is none
+     */
     public void set(double qw, double qx, double qy, double qz) {
         double length = Math.sqrt(qw * qw + qx * qx + qy * qy + qz * qz);
         if (!(length > 0) || Double.isInfinite(length)) {
@@ -77,12 +98,22 @@ public final class Orientation implements Serializable {
         return z;
     }
 
-    /** Turns a vector of the inner frame into the outer. Thesis: Eq. 2-32. @param v Not modified, unless it is out. @param out Modified. */
+    /**
+     * Turns a vector of the inner frame into the outer. Thesis: Eq. 2-32.
+     *
+     * @param v three long, of any unit. Not modified, unless it is out.
+     * @param out three long, in that unit. Modified.
+     */
     public void outward(double[] v, double[] out) {
         rotate(v, out, 1);
     }
 
-    /** Turns a vector of the outer frame into the inner. @param v Not modified, unless it is out. @param out Modified. */
+    /**
+     * Turns a vector of the outer frame into the inner.
+     *
+     * @param v three long, of any unit. Not modified, unless it is out.
+     * @param out three long, in that unit. Modified.
+     */
     public void inward(double[] v, double[] out) {
         rotate(v, out, -1);
     }
@@ -103,7 +134,13 @@ public final class Orientation implements Serializable {
         out[2] = oz;
     }
 
-    /** Turns the inner frame on by a rotation vector in its own axes [rad]. */
+    /**
+     * Turns the inner frame on by a rotation vector in its own axes.
+     *
+     * @param rx [rad]
+     * @param ry [rad]
+     * @param rz [rad]
+     */
     public void turn(double rx, double ry, double rz) {
         double half = Math.sqrt(rx * rx + ry * ry + rz * rz) / 2;
         double c = Math.cos(half);

@@ -26,7 +26,7 @@ public record SkinMount(double frequency, double damping) {
      * What a measured spectrum is to be multiplied by to become that of the bone: {@code (1 - β² + 2jζβ)/(1 + 2jζβ)}.
      * Thesis: Eq. 2-34, 2-36.
      *
-     * @param frequencies [Hz]. Not modified.
+     * @param frequencies by line [Hz]. Not modified.
      */
     public ComplexSeries correction(double[] frequencies) {
         double[] re = new double[frequencies.length];

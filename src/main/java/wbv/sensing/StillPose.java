@@ -27,13 +27,14 @@ public final class StillPose {
      *
      * @param alignment sensor to body: x forward, y left, z up
      * @param gravity   what the sensor reads for gravity [m/s²]
-     * @param bias      of the angular rate, in the sensor's axes [rad/s]
+     * @param bias      of the angular rate, in the sensor's axes [rad/s], three long
      */
     public record Worn(Orientation alignment, double gravity, double[] bias) {
 
         /**
-         * The same sensor, its forward told by a lean. @param lean angular rate while leaning forward, of any length. Not
-         * modified.
+         * The same sensor, its forward told by a lean.
+         *
+         * @param lean angular rate while leaning forward, three long, of any unit. Not modified.
          */
         public Worn leaning(double[] lean) {
             double[] turned = new double[3];
@@ -52,7 +53,12 @@ public final class StillPose {
         }
     }
 
-    /** Begins with no sample. @param name of the sensor, for messages @param rate samples per second [Hz] */
+    /**
+     * Begins with no sample.
+     *
+     * @param name of the sensor, for messages
+     * @param rate samples per second [Hz]
+     */
     public StillPose(String name, double rate) {
         this.name = name;
         this.rate = rate;
@@ -61,8 +67,8 @@ public final class StillPose {
     /**
      * Takes a sample of the pose; one with anything missing is passed over.
      *
-     * @param specific [m/s²]
-     * @param turning [rad/s], both [x, y, z]. Neither is modified.
+     * @param specific [m/s²], three long
+     * @param turning [rad/s], three long: x, y, z, as the other. Neither is modified.
      */
     public void accept(double[] specific, double[] turning) {
         if (!Vectors.known(specific) || !Vectors.known(turning)) {

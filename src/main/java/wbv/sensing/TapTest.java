@@ -33,15 +33,16 @@ public final class TapTest implements ParametricUnivariateFunction {
      * What a tap shows.
      *
      * @param mount              frequency and damping
-     * @param frequencyDeviation standard deviation of the frequency [Hz] @param dampingDeviation that of the damping ratio
-     * @param unexplained        rms of what the fit leaves over that of the ringing
+     * @param frequencyDeviation standard deviation of the frequency [Hz]
+     * @param dampingDeviation that of the damping ratio
+     * @param unexplained        rms of what the fit leaves over that of the ringing [1]
      */
     public record Rung(SkinMount mount, double frequencyDeviation, double dampingDeviation, double unexplained) {}
 
     /**
      * Fits the ringing after the greatest sample of a record.
      *
-     * @param samples of the sensor along the axis of the tap [m/s²], finite. Not modified.
+     * @param samples series of the sensor along the axis of the tap [m/s²], finite. Not modified.
      * @param rate    samples per second [Hz]
      * @throws DataFault if nothing rings, it rings faster than 0.4 of the rate, or it is damped too strongly to ring
      */
@@ -163,7 +164,10 @@ public final class TapTest implements ParametricUnivariateFunction {
         return new double[] {damped / Math.sqrt(1 - damping * damping), damping};
     }
 
-    /** @param t [s] @param p ln ω, ln ζ, a, b, c */
+    /**
+     * @param t [s]
+     * @param p ln ω, ln ζ, a, b, c
+     */
     @Override
     public double value(double t, double... p) {
         double omega = Math.exp(p[0]);

@@ -18,7 +18,11 @@ final class Vectors {
         return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
-    /** The direction of a vector, a new one. @throws IllegalArgumentException if it has none */
+    /**
+     * The direction of a vector, a new one.
+     *
+     * @throws IllegalArgumentException if it has none
+     */
     static double[] unit(double[] a) {
         double length = length(a);
         if (a.length != 3 || !(length > 0) || Double.isInfinite(length)) {

@@ -7,8 +7,8 @@ package wbv.signal;
  * <p>From force and acceleration, since {@code V = A/(jω)}: {@code Re E[F V*] = -Im E[F A*] / ω}. A rigid mass absorbs nothing,
  * so that a plate under the sitter needs no correction. Arrays are not copied: treat them as read-only.
  *
- * @param frequency rising by equal steps [Hz]
- * @param density   [W/Hz]; 0 in the lowest bins, which hold what is left of means and trends
+ * @param frequency by bin, rising in equal steps [Hz]
+ * @param density   by frequency [W/Hz]; 0 in the lowest bins, which hold what is left of means and trends
  */
 public record AbsorbedPower(double[] frequency, double[] density) {
 
@@ -41,7 +41,12 @@ public record AbsorbedPower(double[] frequency, double[] density) {
         return between(0, Double.POSITIVE_INFINITY);
     }
 
-    /** Power of the bins from one frequency to another, both included [W]. */
+    /**
+     * Power of the bins from one frequency to another, both included [W].
+     *
+     * @param from [Hz]
+     * @param to [Hz]
+     */
     public double between(double from, double to) {
         double sum = 0;
         for (int k = 0; k < density.length; k++) {
@@ -50,7 +55,7 @@ public record AbsorbedPower(double[] frequency, double[] density) {
         return sum * (frequency[1] - frequency[0]);
     }
 
-    /** Power up to each frequency [W]. */
+    /** Power up to each frequency [W], by frequency. */
     public double[] cumulative() {
         double[] sums = new double[density.length];
         double sum = 0;

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  * resonates.
  * The driving-point impedance is {@code Z = F/V = jω M} [N·s/m]. Arrays are not copied: treat them as read-only.
  *
- * @param frequency rising [Hz]
+ * @param frequency by bin, rising [Hz]
  * @param mass      M at each [kg]
  */
 public record ApparentMass(double[] frequency, ComplexSeries mass) {
@@ -68,7 +68,11 @@ public record ApparentMass(double[] frequency, ComplexSeries mass) {
         return best < 0 ? OptionalDouble.empty() : OptionalDouble.of(mass.magnitude(best));
     }
 
-    /** |M| over the sitting mass, which makes people of different mass comparable. @param sitting [kg], &gt; 0 */
+    /**
+     * |M| over the sitting mass [1], by frequency, which makes people of different mass comparable.
+     *
+     * @param sitting [kg], &gt; 0
+     */
     public double[] normalised(double sitting) {
         if (!(sitting > 0)) {
             throw new IllegalArgumentException("sitting mass must be > 0 kg: " + sitting);

@@ -38,7 +38,8 @@ public enum Backing {
      * Whether frequencies are more than chance takes for such in 1 % of cases, where each is taken wrongly in 5 %. Hann's window makes
      * neighbours alike: every other one counts.
      *
-     * @param found of them @param asked frequencies
+     * @param found of them
+     * @param asked frequencies
      */
     public static boolean isBeyondChance(long found, long asked) {
         return found / 2 > new BinomialDistribution(null, (int) Math.max(1, asked / 2), FrequencyResponse.Excited.RARE)

@@ -36,7 +36,7 @@ public final class BandlimitedResampler implements Snapshot {
      *
      * @param up          outputs for every {@code down} inputs, at least 1
      * @param down        at least 1
-     * @param passband    edge of the pass band as a part of the lower rate, above 0 and below 0.5
+     * @param passband    edge of the pass band as a share of the lower rate, above 0 and below 0.5
      * @param attenuation of what lies above half the lower rate, and of the ripple below the pass band's edge [dB], 30 to 160
      * @param sink        takes the outputs in order
      */
@@ -71,8 +71,8 @@ public final class BandlimitedResampler implements Snapshot {
      * Raises the rate of a signal that is known to end below half of it: the filter need not be steep.
      *
      * @param up          outputs for every input, at least 1
-     * @param passband    where the signal ends, as a part of its rate, above 0
-     * @param stopband    where its first image begins, or nothing is wanted any more, above the pass band, below 1
+     * @param passband    where the signal ends, as a share of its rate, above 0
+     * @param stopband    share of its rate where its first image begins, or nothing is wanted any more, above the pass band, below 1
      * @param attenuation of what lies above, and of the ripple below the pass band's edge [dB], 30 to 160
      * @param sink        takes the outputs in order
      */
@@ -90,7 +90,11 @@ public final class BandlimitedResampler implements Snapshot {
         return new BandlimitedResampler(up, new KaiserSinc(up, passband, stopband, attenuation), sink);
     }
 
-    /** Another of the same ratio and filter, which they share, that has heard nothing. @param sink takes its outputs */
+    /**
+     * Another of the same ratio and filter, which they share, that has heard nothing.
+     *
+     * @param other takes its outputs
+     */
     public BandlimitedResampler fresh(DoubleConsumer other) {
         return new BandlimitedResampler(this, other);
     }
@@ -103,7 +107,11 @@ public final class BandlimitedResampler implements Snapshot {
         this.sink = sink;
     }
 
-    /** A whole array at another rate: {@code ceil(length · up / down)} values. @param samples Not modified. */
+    /**
+     * A whole array at another rate: {@code ceil(length · up / down)} values, in the unit of the samples.
+     *
+     * @param samples series of any unit. Not modified.
+     */
     public static double[] resample(double[] samples, int up, int down) {
         double[] out = new double[Math.toIntExact(((long) samples.length * up + down - 1) / down)];
         int[] filled = {0};
@@ -115,7 +123,7 @@ public final class BandlimitedResampler implements Snapshot {
         return out;
     }
 
-    /** Takes the next sample; gives on every output that can now be computed. */
+    /** Takes the next sample, of any unit; gives on every output that can now be computed, in that unit. */
     public void accept(double value) {
         if (pushed == 0) {
             Arrays.fill(ring, value);

@@ -35,7 +35,7 @@ public record CoherenceDistribution(double averages, int inputs) {
         }
     }
 
-    /** What chance alone gives on average where nothing is related: m/n. */
+    /** Coherence that chance alone gives on average where nothing is related: m/n. */
     public double byChance() {
         return inputs / averages;
     }
@@ -43,7 +43,7 @@ public record CoherenceDistribution(double averages, int inputs) {
     /**
      * The chance that an estimate is at most a value.
      *
-     * @param estimate 0 to 1
+     * @param estimate estimated coherence, 0 to 1
      * @param truth    true coherence γ², 0 to less than 1
      */
     public double cumulative(double estimate, double truth) {
@@ -74,7 +74,7 @@ public record CoherenceDistribution(double averages, int inputs) {
     /**
      * The estimate that is not exceeded with a given chance.
      *
-     * @param chance more than 0, less than 1
+     * @param chance probability, more than 0, less than 1
      * @param truth  true coherence γ², 0 to less than 1
      */
     public double quantile(double chance, double truth) {

@@ -3,8 +3,8 @@ package wbv.signal;
 /**
  * Complex values, one a bin. Arrays are not copied, neither in nor out: treat them as read-only.
  *
- * @param re real parts
- * @param im imaginary parts, as many
+ * @param re real parts by bin, in a unit that the user knows
+ * @param im imaginary parts, as many, in the same unit
  */
 public record ComplexSeries(double[] re, double[] im) {
 
@@ -19,7 +19,7 @@ public record ComplexSeries(double[] re, double[] im) {
         return re.length;
     }
 
-    /** |z_i|. */
+    /** |z_i|, in the unit of the values. */
     public double magnitude(int i) {
         return Math.hypot(re[i], im[i]);
     }
@@ -29,7 +29,7 @@ public record ComplexSeries(double[] re, double[] im) {
         return Math.atan2(im[i], re[i]);
     }
 
-    /** All |z_i|. */
+    /** All |z_i| by bin, in the unit of the values. A new array. */
     public double[] magnitudes() {
         double[] magnitudes = new double[re.length];
         for (int i = 0; i < magnitudes.length; i++) {
@@ -38,7 +38,7 @@ public record ComplexSeries(double[] re, double[] im) {
         return magnitudes;
     }
 
-    /** All angles [rad], -π to π. */
+    /** All angles by bin [rad], -π to π. A new array. */
     public double[] phases() {
         double[] phases = new double[re.length];
         for (int i = 0; i < phases.length; i++) {

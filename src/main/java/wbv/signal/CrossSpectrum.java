@@ -17,7 +17,11 @@ public final class CrossSpectrum {
     private final Segments input;
     private final Pair[] pairs;
 
-    /** Averages of no segment yet. @param outputs number of outputs, at least 1 */
+    /**
+     * Averages of no segment yet.
+     *
+     * @param outputs number of outputs, at least 1
+     */
     public CrossSpectrum(Segmentation segmentation, Detrend detrend, int outputs) {
         if (outputs < 1) {
             throw new IllegalArgumentException("a cross spectrum needs at least 1 output: " + outputs);
@@ -29,7 +33,12 @@ public final class CrossSpectrum {
         Arrays.setAll(pairs, i -> new Pair(segmentation, detrend));
     }
 
-    /** Takes the next sample of the input and of a single output; NaN is missing. */
+    /**
+     * Takes the next sample of the input and of a single output; NaN is missing.
+     *
+     * @param x in its own unit
+     * @param y in its own unit
+     */
     public void accept(double x, double y) {
         if (pairs.length != 1) {
             throw new IllegalArgumentException("one output sample for " + pairs.length + " outputs");
@@ -41,7 +50,11 @@ public final class CrossSpectrum {
         }
     }
 
-    /** Takes the next sample of the input and of all outputs; NaN is missing. @param y one value an output. Not modified. */
+    /**
+     * Takes the next sample of the input and of all outputs, each in its own unit; NaN is missing.
+     *
+     * @param y one value an output, in its own unit. Not modified.
+     */
     public void accept(double x, double[] y) {
         if (y.length != pairs.length) {
             throw new IllegalArgumentException(y.length + " output samples for " + pairs.length + " outputs");
@@ -92,12 +105,12 @@ public final class CrossSpectrum {
         return pairs[output].skipped;
     }
 
-    /** Power spectral density of the input over the segments of an output [unit²/Hz]. */
+    /** Power spectral density of the input over the segments of an output, by bin [unit²/Hz]. */
     public double[] inputDensity(int output) {
         return scaled(pairs[output], pairs[output].xx);
     }
 
-    /** Power spectral density of an output [unit²/Hz]. */
+    /** Power spectral density of an output, by bin [unit²/Hz]. */
     public double[] outputDensity(int output) {
         return scaled(pairs[output], pairs[output].yy);
     }

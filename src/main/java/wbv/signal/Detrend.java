@@ -37,7 +37,11 @@ public enum Detrend {
         return this == LINEAR ? 3 : 2;
     }
 
-    /** Takes the trend out. @param segment Modified. */
+    /**
+     * Takes the trend out.
+     *
+     * @param segment Modified.
+     */
     abstract void apply(double[] segment);
 
     /** Takes out the mean and a line of this slope [per sample] that is zero at the centre. */

@@ -18,7 +18,11 @@ public final class Differentiator {
     private final double[] ring = new double[2 * REACH + 1];
     private int head;
 
-    /** A differentiator to which all samples before the first are missing. @param rate samples per second [Hz], &gt; 0 */
+    /**
+     * A differentiator to which all samples before the first are missing.
+     *
+     * @param rate samples per second [Hz], &gt; 0
+     */
     public Differentiator(double rate) {
         if (!(rate > 0) || Double.isInfinite(rate)) {
             throw new IllegalArgumentException("sampling rate must be > 0 Hz: " + rate);

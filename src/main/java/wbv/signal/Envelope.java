@@ -16,7 +16,11 @@ public final class Envelope {
     private int bucket;
     private int inBucket;
 
-    /** An envelope of no sample yet. @param mostBuckets buckets kept at most, even, at least 2 */
+    /**
+     * An envelope of no sample yet.
+     *
+     * @param mostBuckets buckets kept at most, even, at least 2
+     */
     public Envelope(int mostBuckets) {
         if (mostBuckets < 2 || mostBuckets % 2 != 0) {
             throw new IllegalArgumentException("number of buckets must be even and >= 2: " + mostBuckets);
@@ -28,7 +32,7 @@ public final class Envelope {
         clear(0);
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /** Takes the next sample, of any unit; NaN is missing. */
     public void accept(double value) {
         if (inBucket == width) {
             inBucket = 0;
@@ -78,23 +82,23 @@ public final class Envelope {
         return width;
     }
 
-    /** Centre of a bucket in samples from the first: bucket 0 of width 1 is at 0, of width 2 at 0.5. */
+    /** Centre of a bucket, from the first sample [samples]: bucket 0 of width 1 is at 0, of width 2 at 0.5. */
     public double centre(int i) {
         int held = i == bucket ? inBucket : width;
         return (double) i * width + (held - 1) / 2.0;
     }
 
-    /** Smallest value in a bucket, NaN if all are missing. */
+    /** Smallest value in a bucket, in the samples' unit; NaN if all are missing. */
     public double smallest(int i) {
         return present[i] == 0 ? Double.NaN : smallest[i];
     }
 
-    /** Largest value in a bucket, NaN if all are missing. */
+    /** Largest value in a bucket, in the samples' unit; NaN if all are missing. */
     public double largest(int i) {
         return present[i] == 0 ? Double.NaN : largest[i];
     }
 
-    /** Mean of a bucket, NaN if all are missing. */
+    /** Mean of a bucket, in the samples' unit; NaN if all are missing. */
     public double mean(int i) {
         return sum[i] / present[i];
     }

@@ -15,7 +15,11 @@ public final class Fft {
     private final double[] cosine;
     private final double[] sine;
 
-    /** Works out the twiddle factors. @param length points N of the sequence, a power of two, at least 4 */
+    /**
+     * Works out the twiddle factors.
+     *
+     * @param length points N of the sequence, a power of two, at least 4
+     */
     public Fft(int length) {
         if (length < 4 || Integer.bitCount(length) != 1) {
             throw new IllegalArgumentException("length of a transform must be a power of two >= 4: " + length);
@@ -34,7 +38,11 @@ public final class Fft {
         return length;
     }
 
-    /** Transforms a sequence in place. @param data sequence of N values; becomes its packed spectrum. Modified. */
+    /**
+     * Transforms a sequence in place.
+     *
+     * @param data sequence, N long, of any unit; becomes its packed spectrum. Modified.
+     */
     public void forward(double[] data) {
         requireLength(data);
         complex(data);
@@ -44,7 +52,11 @@ public final class Fft {
         split(data, 1);
     }
 
-    /** Transforms a spectrum back in place. @param data packed spectrum of N values; becomes the sequence, scaled by 1/N. Modified. */
+    /**
+     * Transforms a spectrum back in place.
+     *
+     * @param data packed spectrum, N long, of any unit; becomes the sequence, scaled by 1/N. Modified.
+     */
     public void inverse(double[] data) {
         requireLength(data);
         double dc = data[0];

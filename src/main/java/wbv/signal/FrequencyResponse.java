@@ -14,13 +14,13 @@ import java.util.Arrays;
  * <p>Arrays are not copied, neither in nor out: treat them as read-only.
  *
  * @param frequency     bins from 0 Hz to half the sampling rate [Hz]
- * @param inputDensity  G_xx [unit_x²/Hz]
- * @param outputDensity G_yy [unit_y²/Hz]
+ * @param inputDensity  G_xx by bin [unit_x²/Hz]
+ * @param outputDensity G_yy by bin [unit_y²/Hz]
  * @param h1            H1 [unit_y/unit_x]; NaN where the input has no power
  * @param h2            H2 [unit_y/unit_x]; NaN where the cross spectrum is zero
  * @param hv            Hv [unit_y/unit_x]; NaN where either is
- * @param coherence     γ², 0 to 1; 0 where a signal has no power
- * @param error         relative standard error of |H|; infinite where the coherence is 0
+ * @param coherence     γ² by bin, 0 to 1; 0 where a signal has no power
+ * @param error         relative standard error of |H| by bin; infinite where the coherence is 0
  * @param backing       what backs the response, or what is missing, by the rule of {@link Excited}
  * @param averages      n_d, number of independent averages
  */

@@ -25,7 +25,11 @@ public final class GapBridge implements Serializable, Snapshot {
     private int place;
     private long bridged;
 
-    /** A bridge by curves alone. @param longest missing samples in a row that are bridged, at least 1 */
+    /**
+     * A bridge by curves alone.
+     *
+     * @param longest missing samples in a row that are bridged, at least 1
+     */
     public GapBridge(int longest) {
         this(longest, longest);
     }
@@ -52,7 +56,12 @@ public final class GapBridge implements Serializable, Snapshot {
         return new GapBridge(curved, longest);
     }
 
-    /** A whole series, bridged and on time. @param values NaN where missing. Not modified. @param longest as the constructor has it */
+    /**
+     * A whole series, bridged and on time, in its own unit.
+     *
+     * @param values by sample, of any unit, NaN where missing. Not modified.
+     * @param longest as the constructor has it
+     */
     public static double[] over(double[] values, int longest) {
         GapBridge bridge = new GapBridge(longest);
         double[] out = new double[values.length];
@@ -76,7 +85,9 @@ public final class GapBridge implements Serializable, Snapshot {
         return bridged;
     }
 
-    /** Takes a sample, NaN where missing, and gives the one of {@link #delay()} samples ago; NaN before the first. */
+    /**
+     * Takes a sample of any unit, NaN where missing, and gives the one of {@link #delay()} samples ago, in that unit; NaN before the first.
+     */
     public double accept(double value) {
         ring[at(0)] = value;
         if (!Double.isNaN(ring[at(1)]) && Double.isNaN(ring[at(2)])) {
@@ -88,7 +99,11 @@ public final class GapBridge implements Serializable, Snapshot {
         return out;
     }
 
-    /** A run of missing samples ended two samples ago: fills it if it is short. @param present samples behind it, 1 or 2 */
+    /**
+     * A run of missing samples ended two samples ago: fills it if it is short.
+     *
+     * @param present samples behind it, 1 or 2
+     */
     private void bridge(int present) {
         int gap = 1;
         while (gap <= longest && Double.isNaN(ring[at(2 + gap)])) {

@@ -8,7 +8,11 @@ public final class GapBridges {
     private final GapBridge[] bridges;
     private int untilFirst;
 
-    /** Bridges by curves alone. @param longest missing samples in a row that are bridged, at least 1 */
+    /**
+     * Bridges by curves alone.
+     *
+     * @param longest missing samples in a row that are bridged, at least 1
+     */
     public GapBridges(int channels, int longest) {
         bridges = new GapBridge[channels];
         Arrays.setAll(bridges, i -> new GapBridge(longest));
@@ -23,7 +27,7 @@ public final class GapBridges {
     /**
      * Takes a sample of every channel and gives the one of {@link #delay()} samples ago.
      *
-     * @param values NaN where missing. Modified.
+     * @param values one a channel, in its own unit; NaN where missing. Modified.
      * @return false while nothing has come out yet
      */
     public boolean accept(double[] values) {

@@ -41,7 +41,11 @@ final class Hermitian {
         real.set(n + i, j, im);
     }
 
-    /** Inverts the matrix. @return false if it is singular, or not positive */
+    /**
+     * Inverts the matrix.
+     *
+     * @return false if it is singular, or not positive
+     */
     boolean invert() {
         work.setTo(real);
         if (!solver.setA(work)) {

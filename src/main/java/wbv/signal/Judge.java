@@ -23,7 +23,10 @@ final class Judge {
     private final double averages;
     private final FrequencyResponse.Excited excited;
 
-    /** @param averages independent averages; @param firstBin first bin that holds no mean or trend */
+    /**
+     * @param averages independent averages;
+     * @param firstBin first bin that holds no mean or trend
+     */
     Judge(double averages, int inputs, int firstBin, FrequencyResponse.Excited excited) {
         this.averages = averages;
         this.firstBin = firstBin;

@@ -5,7 +5,11 @@ public final class LogSum {
 
     private LogSum() {}
 
-    /** ln Σ exp(a_i) of the first so many; -∞ if all are. @param a not modified */
+    /**
+     * ln Σ exp(a_i) of the first so many [nat]; -∞ if all are.
+     *
+     * @param a logarithms, at least so long. Not modified.
+     */
     public static double of(double[] a, int count) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
@@ -21,7 +25,11 @@ public final class LogSum {
         return most + Math.log(sum);
     }
 
-    /** Replaces logarithms by shares that sum to one, and returns ln Σ exp. @param a modified */
+    /**
+     * Replaces logarithms by shares that sum to one, and returns ln Σ exp [nat].
+     *
+     * @param a logarithms, at least so long. Modified.
+     */
     public static double share(double[] a, int count) {
         double whole = of(a, count);
         for (int i = 0; i < count; i++) {

@@ -26,6 +26,8 @@ public final class MorletTransform {
     /**
      * The transform of a record.
      *
+     * @param rate samples per second [Hz]
+     * @param frequencies as the transform has them, as long [Hz]
      * @param values by frequency, one complex value a sample
      * @param influence by frequency, how near an end of the record a value is not to be trusted [s]
      */
@@ -42,8 +44,8 @@ public final class MorletTransform {
      * A transform at given frequencies.
      *
      * @param rate        samples per second [Hz]
-     * @param frequencies above 0, up to half the rate [Hz]. Not modified.
-     * @param cycles      ω_0, at least 5: more tell frequencies apart, fewer moments
+     * @param frequencies as many as wanted, above 0, up to half the rate [Hz]. Not modified.
+     * @param cycles      ω_0 [1], at least 5: more tell frequencies apart, fewer moments
      */
     public MorletTransform(double rate, double[] frequencies, double cycles) {
         if (!(rate > 0) || Double.isInfinite(rate)) {
@@ -62,7 +64,12 @@ public final class MorletTransform {
         this.cycles = cycles;
     }
 
-    /** So many frequencies to an octave from one to another [Hz]. */
+    /**
+     * A series of so many frequencies to an octave from one to another [Hz].
+     *
+     * @param from [Hz]
+     * @param to [Hz]
+     */
     public static double[] octaves(double from, double to, int perOctave) {
         if (!(from > 0 && to > from) || perOctave < 1) {
             throw new IllegalArgumentException("frequencies must rise from above 0 by at least 1 to an octave: " + from + " to "
@@ -77,7 +84,7 @@ public final class MorletTransform {
     /**
      * The transform at every frequency and every sample.
      *
-     * @param samples finite, at least two. Not modified.
+     * @param samples series of any unit, finite, at least two. Not modified.
      * @throws IllegalArgumentException if one is missing
      */
     public Scalogram of(double[] samples) {

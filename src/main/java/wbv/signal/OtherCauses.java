@@ -16,7 +16,12 @@ public final class OtherCauses {
 
     private static final double RARE = 0.05;
 
-    /** The motion named most often. @param partial median partial coherence where it is named @param bins where it is named */
+    /**
+     * The motion named most often.
+     *
+     * @param partial median partial coherence where it is named
+     * @param bins where it is named
+     */
     public record Likeliest(int candidate, double partial, int bins) {}
 
     private final int[] named;
@@ -67,7 +72,7 @@ public final class OtherCauses {
         return named;
     }
 
-    /** Its partial coherence; NaN where none is named. */
+    /** Its partial coherence by bin; NaN where none is named. */
     public double[] partial() {
         return partial;
     }

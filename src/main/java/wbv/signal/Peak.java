@@ -6,7 +6,7 @@ import java.util.Optional;
  * The highest point of a curve, by the parabola through the highest sample and its neighbours.
  *
  * @param frequency where it is [Hz]
- * @param height    its value
+ * @param height    its value, in the curve's unit
  */
 public record Peak(double frequency, double height) {
 
@@ -15,7 +15,9 @@ public record Peak(double frequency, double height) {
      * may
      * rise further beyond.
      *
-     * @param frequency rising by equal steps [Hz] @param curve as many values @param usable which of them count None is modified.
+     * @param frequency by bin, rising in equal steps [Hz]
+     * @param curve as many values, of any unit
+     * @param usable which of them count None is modified.
      */
     public static Optional<Peak> of(double[] frequency, double[] curve, boolean[] usable) {
         int best = -1;

@@ -22,7 +22,7 @@ public final class PowerSpectrum {
         this.power = new double[segmentation.bins()];
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /** Takes the next sample, of any unit; NaN is missing. */
     public void accept(double value) {
         if (!segments.accept(value)) {
             return;

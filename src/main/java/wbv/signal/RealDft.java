@@ -13,7 +13,11 @@ public final class RealDft {
     private final double[] cosine;
     private final double[] sine;
 
-    /** Works out the twiddle factors. @param length points N, even, with no prime factor above 5 */
+    /**
+     * Works out the twiddle factors.
+     *
+     * @param length points N, even, with no prime factor above 5
+     */
     public RealDft(int length) {
         if (length != fitting(length)) {
             throw new IllegalArgumentException("length of a transform must be even with factors 2, 3 and 5 only: " + length);
@@ -28,7 +32,11 @@ public final class RealDft {
         }
     }
 
-    /** The greatest length that fits, not above one given. @param most at least 2 */
+    /**
+     * The greatest length that fits, not above one given.
+     *
+     * @param most at least 2
+     */
     public static int fitting(int most) {
         for (int n = most - most % 2; n >= 2; n -= 2) {
             int rest = n;
@@ -44,7 +52,11 @@ public final class RealDft {
         throw new IllegalArgumentException("a transform needs at least 2 points: " + most);
     }
 
-    /** The least length that fits, not below one given. @param least at least 2 */
+    /**
+     * The least length that fits, not below one given.
+     *
+     * @param least at least 2
+     */
     public static int covering(int least) {
         int n = least + least % 2;
         while (fitting(n) != n) {
@@ -59,9 +71,10 @@ public final class RealDft {
     }
 
     /**
-     * The spectrum {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k + 1.
+     * The spectrum, in the unit of the sequence, {@code X_k = Σ x_n exp(-j2πkn/N)} for k = 0 to N/2: real part at 2k, imaginary part at 2k
+     * + 1.
      *
-     * @param x sequence of N values. Not modified.
+     * @param x sequence of any unit, N long. Not modified.
      */
     public double[] forward(double[] x) {
         if (x.length != length) {
@@ -92,10 +105,10 @@ public final class RealDft {
     }
 
     /**
-     * The sequence of which {@link #forward} gives this spectrum.
+     * The sequence, N long, of which {@link #forward} gives this spectrum, in its unit.
      *
-     * @param spectrum real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are real in
-     *                 the spectrum of any real sequence: their imaginary parts do not count. Not modified.
+     * @param spectrum of any unit: real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are
+     *                 real in the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {
         if (spectrum.length > length + 2) {
@@ -139,7 +152,11 @@ public final class RealDft {
         }
     }
 
-    /** Complex transform of half values. @param x consumed */
+    /**
+     * Complex transform of half values.
+     *
+     * @param x consumed
+     */
     private Halves complex(Halves x) {
         Halves from = x;
         Halves to = new Halves(half);

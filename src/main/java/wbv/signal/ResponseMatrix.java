@@ -129,12 +129,12 @@ public final class ResponseMatrix {
         return averages;
     }
 
-    /** Power spectral density of an input [unit²/Hz]. */
+    /** Power spectral density of an input, by bin [unit²/Hz]. */
     public double[] inputDensity(int input) {
         return densities[input];
     }
 
-    /** Power spectral density of an output [unit²/Hz]. */
+    /** Power spectral density of an output, by bin [unit²/Hz]. */
     public double[] outputDensity(int output) {
         return densities[inputs + output];
     }
@@ -154,27 +154,27 @@ public final class ResponseMatrix {
         return hv[output][input];
     }
 
-    /** Multiple coherence γ²_y:x of an output with all inputs, 0 to 1. Chance alone gives m/n_d on average. */
+    /** Multiple coherence γ²_y:x of an output with all inputs, by bin, 0 to 1. Chance alone gives m/n_d on average. */
     public double[] multipleCoherence(int output) {
         return multiple[output];
     }
 
-    /** Ordinary coherence of an output with one input, 0 to 1, whatever the others share with both. */
+    /** Ordinary coherence of an output with one input, by bin, 0 to 1, whatever the others share with both. */
     public double[] ordinaryCoherence(int output, int input) {
         return ordinary[output][input];
     }
 
-    /** Partial coherence of an output with one input, 0 to 1, what the other inputs explain taken out of both. */
+    /** Partial coherence of an output with one input, by bin, 0 to 1, what the other inputs explain taken out of both. */
     public double[] partialCoherence(int output, int input) {
         return partial[output][input];
     }
 
-    /** Share of an input that the other inputs explain, 0 to 1; all zero with a single input. */
+    /** Share of an input that the other inputs explain, by bin, 0 to 1; all zero with a single input. */
     public double[] coherenceAmongInputs(int input) {
         return among[input];
     }
 
-    /** Standard deviation of the real and of the imaginary part of an entry of H1 [unit_y/unit_x]. */
+    /** Standard deviation of the real and of the imaginary part of an entry of H1, by bin [unit_y/unit_x]. */
     public double[] deviation(int output, int input) {
         return deviation[output][input];
     }
@@ -190,17 +190,21 @@ public final class ResponseMatrix {
     }
 
     /**
-     * Half the interval about the real part of an entry of H1, or about its modulus where that is large, for a level of
-     * confidence.
+     * Half the interval, by bin [unit_y/unit_x], about the real part of an entry of H1, or about its modulus where that is large, for a
+     * level of confidence.
      *
-     * @param level such as 0.95
+     * @param level of confidence, such as 0.95
      */
     public double[] margin(int output, int input, double level) {
         double t = new TDistribution(2 * (averages - inputs)).inverseCumulativeProbability((1 + level) / 2);
         return Arrays.stream(deviation[output][input]).map(sd -> t * sd).toArray();
     }
 
-    /** Half the interval about the phase of an entry of H1 [rad]; π where the modulus may be 0. */
+    /**
+     * Half the interval about the phase of an entry of H1, by bin [rad]; π where the modulus may be 0.
+     *
+     * @param level of confidence
+     */
     public double[] phaseMargin(int output, int input, double level) {
         double[] margin = margin(output, input, level);
         for (int k = 0; k < margin.length; k++) {

@@ -10,7 +10,7 @@ import java.io.Serializable;
  *
  * @param rate    sampling rate [Hz], &gt; 0
  * @param length  samples of a segment, a power of two, at least 8
- * @param overlap part of a segment shared with the next, 0 to 0.9; 0.5 or more for Hann's window
+ * @param overlap share of a segment that it has in common with the next, 0 to 0.9; 0.5 or more for Hann's window
  */
 public record Segmentation(double rate, int length, double overlap) implements Serializable {
 
@@ -29,6 +29,7 @@ public record Segmentation(double rate, int length, double overlap) implements S
     /**
      * The shortest segmentation, overlapping by half, that lowers no resonance peak by more than a given part.
      *
+     * @param rate      of the samples [Hz]
      * @param frequency lowest natural frequency to be resolved [Hz], &gt; 0
      * @param damping   its damping ratio, &gt; 0
      * @param bias      largest relative loss of the peak, such as 0.01
@@ -45,7 +46,11 @@ public record Segmentation(double rate, int length, double overlap) implements S
         return new Segmentation(rate, length, 0.5);
     }
 
-    /** Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go. @param duration [s] */
+    /**
+     * Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go.
+     *
+     * @param duration [s]
+     */
     public static Segmentation lasting(double rate, double duration) {
         if (!(duration > 0) || Double.isInfinite(duration)) {
             throw new IllegalArgumentException("length of a segment must be > 0 s: " + duration);
@@ -98,6 +103,9 @@ public record Segmentation(double rate, int length, double overlap) implements S
      * <p>The expected cross spectrum is the true one smoothed by the window's power: the impulse response multiplied by the
      * window's autocorrelation, {@code 1 - (2π²/3)(τ/T)² + …} for Hann. That adds {@code (2π²/3T²) H''(ω)}, and near a pole
      * {@code H = A/(ζω + j(ω-ω_d))} gives {@code H'' = -2H/(ζω)²} at the peak. Good while the result is above -0.1.
+     *
+     * @param frequency of the resonance [Hz]
+     * @param damping its damping ratio ζ
      */
     public double peakBias(double frequency, double damping) {
         double product = damping * frequency * duration();

@@ -25,7 +25,11 @@ final class Segments {
         reset();
     }
 
-    /** Takes a sample. @return whether it ends a segment */
+    /**
+     * Takes a sample.
+     *
+     * @return whether it ends a segment
+     */
     boolean accept(double value) {
         ring[head] = value;
         head = head + 1 == ring.length ? 0 : head + 1;
@@ -57,7 +61,11 @@ final class Segments {
         return 2 / (segmentation.rate() * Taper.hann(segmentation.length()).power());
     }
 
-    /** Adds |X_k|² to a sum for each bin. @param power N/2 + 1 sums. Modified. */
+    /**
+     * Adds |X_k|² to a sum for each bin.
+     *
+     * @param power N/2 + 1 sums. Modified.
+     */
     static void addPower(double[] packed, double[] power) {
         int last = packed.length / 2;
         power[0] += packed[0] * packed[0] / 2;
@@ -67,7 +75,12 @@ final class Segments {
         }
     }
 
-    /** Adds Y_k X_k* to a sum for each bin. @param re N/2 + 1 real parts. Modified. @param im as many imaginary parts. Modified. */
+    /**
+     * Adds Y_k X_k* to a sum for each bin.
+     *
+     * @param re N/2 + 1 real parts. Modified.
+     * @param im as many imaginary parts. Modified.
+     */
     static void addProduct(double[] y, double[] x, double[] re, double[] im) {
         int last = x.length / 2;
         re[0] += y[0] * x[0] / 2;

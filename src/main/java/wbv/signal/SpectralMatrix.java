@@ -24,7 +24,11 @@ public final class SpectralMatrix {
     private long averaged;
     private long skipped;
 
-    /** An average in which all segments weigh the same. @param channels at least 1 */
+    /**
+     * An average in which all segments weigh the same.
+     *
+     * @param channels at least 1
+     */
     public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels) {
         this(segmentation, detrend, channels, 1);
     }
@@ -32,7 +36,7 @@ public final class SpectralMatrix {
     /**
      * Averages of no segment yet.
      *
-     * @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing
+     * @param memory factor: what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing
      */
     public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels, double memory) {
         if (channels < 1) {
@@ -54,7 +58,7 @@ public final class SpectralMatrix {
     /**
      * Takes the next sample of every channel; NaN is missing.
      *
-     * @param values one a channel. Not modified.
+     * @param values one a channel, in its own unit. Not modified.
      * @return whether a segment was added to the average
      */
     public boolean accept(double[] values) {
@@ -190,7 +194,7 @@ public final class SpectralMatrix {
         return averaged == 0 ? 0 : segmentation.independent(Math.round(weight * weight / squares));
     }
 
-    /** Power spectral density of a channel [unit²/Hz]; NaN before the first whole segment. */
+    /** Power spectral density of a channel, by bin [unit²/Hz]; NaN before the first whole segment. */
     public double[] density(int channel) {
         return scaled(re[index(channel, channel)], 1);
     }

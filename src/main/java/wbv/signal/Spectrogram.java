@@ -19,7 +19,11 @@ public final class Spectrogram {
     private int column;
     private int inColumn;
 
-    /** A spectrogram of no segment yet. @param mostColumns columns kept at most, even, at least 2 */
+    /**
+     * A spectrogram of no segment yet.
+     *
+     * @param mostColumns columns kept at most, even, at least 2
+     */
     public Spectrogram(Segmentation segmentation, Detrend detrend, int mostColumns) {
         if (mostColumns < 2 || mostColumns % 2 != 0) {
             throw new IllegalArgumentException("number of columns must be even and >= 2: " + mostColumns);
@@ -30,7 +34,7 @@ public final class Spectrogram {
         this.averaged = new int[mostColumns];
     }
 
-    /** Takes the next sample; NaN is missing. Thesis: Eq. 2-28. */
+    /** Takes the next sample, of any unit; NaN is missing. Thesis: Eq. 2-28. */
     public void accept(double value) {
         if (!segments.accept(value)) {
             return;

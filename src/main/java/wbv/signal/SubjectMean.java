@@ -12,10 +12,10 @@ import java.util.Optional;
  * peak has the mean of the peak frequencies and the mean of the peak heights. The plain mean of the curves is kept beside it.
  * Frequencies that one of the curves does not reach are NaN. Arrays are not copied: treat them as read-only.
  *
- * @param frequency       [Hz]
- * @param mean            mean of the stretched curves
- * @param deviation       standard deviation of the stretched curves over people
- * @param plain           mean of the curves as they are
+ * @param frequency       by bin [Hz]
+ * @param mean            mean of the stretched curves by bin, in their unit
+ * @param deviation       standard deviation of the stretched curves over people, likewise
+ * @param plain           mean of the curves as they are, likewise
  * @param peak            mean of the peaks
  * @param peakDeviation   standard deviation over people of peak frequency [Hz] and height, as a peak
  * @param people          how many
@@ -26,8 +26,9 @@ public record SubjectMean(double[] frequency, double[] mean, double[] deviation,
     /**
      * The response of one person.
      *
-     * @param frequency rising by equal steps [Hz] @param modulus as many values @param usable which of them are backed by
-     *                  excitation
+     * @param frequency by bin, rising in equal steps [Hz]
+     * @param modulus as many values, of the curves' unit
+     * @param usable which of them are backed by excitation
      */
     public record Curve(double[] frequency, double[] modulus, boolean[] usable) {
 

@@ -23,7 +23,11 @@ public final class Taper {
         this.power = squares;
     }
 
-    /** Hann's window {@code (1 - cos(2πn/N)) / 2}. @param length points N, at least 4 */
+    /**
+     * Hann's window {@code (1 - cos(2πn/N)) / 2}.
+     *
+     * @param length points N, at least 4
+     */
     public static Taper hann(int length) {
         if (length < 4) {
             throw new IllegalArgumentException("a window needs at least 4 points: " + length);
@@ -40,7 +44,7 @@ public final class Taper {
         return weights.length;
     }
 
-    /** The weight of point n. */
+    /** The weight of point n [1]. */
     public double weight(int n) {
         return weights[n];
     }
@@ -55,7 +59,7 @@ public final class Taper {
         return weights.length * power / (sum * sum);
     }
 
-    /** Correlation of the window with itself {@code shift} points later, 1 at shift 0 and 0 from shift N on. */
+    /** Correlation [1] of the window with itself {@code shift} points later, 1 at shift 0 and 0 from shift N on. */
     public double correlation(int shift) {
         double product = 0;
         for (int n = Math.abs(shift); n < weights.length; n++) {
@@ -64,7 +68,11 @@ public final class Taper {
         return product / power;
     }
 
-    /** Multiplies a segment by the window. @param segment N values. Modified. */
+    /**
+     * Multiplies a segment by the window.
+     *
+     * @param segment N long, of any unit. Modified.
+     */
     public void apply(double[] segment) {
         for (int n = 0; n < weights.length; n++) {
             segment[n] *= weights[n];

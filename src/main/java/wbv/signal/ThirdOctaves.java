@@ -7,7 +7,7 @@ import java.util.function.DoubleUnaryOperator;
  * {@code 10^((n-½)/10)} to {@code 10^((n+½)/10)} Hz.
  *
  * @param first n of the first band
- * @param rms   of each band in turn, in the signal's unit. Not copied.
+ * @param rms   as many as there are bands, of each in turn, in the signal's unit. Not copied.
  */
 public record ThirdOctaves(int first, double[] rms) {
 
@@ -49,12 +49,16 @@ public record ThirdOctaves(int first, double[] rms) {
         return new ThirdOctaves(first, rms);
     }
 
-    /** Centre of a band [Hz], exact. @param band counted from the first */
+    /**
+     * Centre of a band [Hz], exact.
+     *
+     * @param band counted from the first
+     */
     public double centre(int band) {
         return Math.pow(10, (first + band) / 10.0);
     }
 
-    /** Centres of all bands [Hz], exact. */
+    /** Centres of all bands, as long as {@code rms} [Hz], exact. */
     public double[] centres() {
         double[] centres = new double[rms.length];
         for (int band = 0; band < centres.length; band++) {
@@ -63,7 +67,11 @@ public record ThirdOctaves(int first, double[] rms) {
         return centres;
     }
 
-    /** What a band is called [Hz]: 3.15 for 3.1623. @param band counted from the first */
+    /**
+     * What a band is called [Hz]: 3.15 for 3.1623.
+     *
+     * @param band counted from the first
+     */
     public double nominal(int band) {
         int n = first + band;
         int decade = Math.floorDiv(n, 10);

@@ -14,13 +14,22 @@ public final class Upsampler {
     private double[] block = new double[0];
     private int filled;
 
-    /** An upsampler that has taken nothing yet. @param factor outputs per input, at least 1 */
+    /**
+     * An upsampler that has taken nothing yet.
+     *
+     * @param factor outputs per input, at least 1
+     */
     public Upsampler(int factor) {
         this.factor = factor;
         this.resampler = new BandlimitedResampler(factor, 1, value -> block[filled++] = value);
     }
 
-    /** The smallest factor that brings a rate to at least another. @param rate [Hz] @param wanted [Hz] */
+    /**
+     * The smallest factor that brings a rate to at least another.
+     *
+     * @param rate [Hz]
+     * @param wanted [Hz]
+     */
     public static Upsampler reaching(double rate, double wanted) {
         if (!(rate > 0) || !(wanted > 0)) {
             throw new IllegalArgumentException("rates must be > 0 Hz: " + rate + " and " + wanted);
@@ -41,8 +50,9 @@ public final class Upsampler {
     /**
      * Takes the next sample.
      *
-     * @param block room for {@code factor()} values: from the sample {@code delay()} inputs ago to just before the next one.
-     *              Modified only if a block came.
+     * @param value of any unit
+     * @param block as long as a block, in the unit of the samples: room for {@code factor()} values: from the sample {@code delay()} inputs
+     *              ago to just before the next one. Modified only if a block came.
      * @return whether a block came; false for the first {@code delay()} samples
      */
     public boolean accept(double value, double[] block) {

@@ -13,9 +13,9 @@ import java.util.function.DoublePredicate;
  * {@link #AVERAGES} independent values of each; so a coherence above {@link #CHANCE} comes by chance once in twenty times.
  * Values nearer to an end than the wavelet reaches, or with a tenth or more of their weight on missing samples, are NaN.
  *
- * @param times       centres of the columns, rising evenly [s]
- * @param frequencies rising [Hz]
- * @param modulus     by column, then by frequency; NaN where nothing is known
+ * @param times       by column, their centres, rising evenly [s]
+ * @param frequencies by row, rising [Hz]
+ * @param modulus     in the unit of the output over that of the input, by column, then by frequency; NaN where nothing is known
  * @param phase       likewise [rad]
  * @param coherence   likewise, 0 to 1
  */
@@ -40,9 +40,9 @@ public record WaveletResponse(double[] times, double[] frequencies, double[][] m
      *
      * @param rate        samples per second [Hz]
      * @param start       time of the first sample [s]
-     * @param input       samples; NaN is missing. Not modified.
-     * @param output      as many. Not modified.
-     * @param frequencies rising, above 0 to half the rate [Hz]. Not modified.
+     * @param input       series of any unit; NaN is missing. Not modified.
+     * @param output      as long, of any unit. Not modified.
+     * @param frequencies as many as wanted, rising, above 0 to half the rate [Hz]. Not modified.
      * @param columns     how many moments, at least 2, evenly over the record
      */
     public static WaveletResponse of(double rate, double start, double[] input, double[] output, double[] frequencies, int columns) {
@@ -97,7 +97,7 @@ public record WaveletResponse(double[] times, double[] frequencies, double[][] m
         return new WaveletResponse(times, frequencies, less, phase, coherence);
     }
 
-    /** The same with holes where the coherence could be chance. */
+    /** The modulus, by column and frequency, with holes where the coherence could be chance. */
     public double[][] backed() {
         double[][] backed = new double[times.length][];
         for (int c = 0; c < backed.length; c++) {
@@ -109,7 +109,7 @@ public record WaveletResponse(double[] times, double[] frequencies, double[][] m
     }
 
     /**
-     * Where the response is greatest in each column, among what is backed, between samples by a parabola [Hz]; NaN where the
+     * By column, where the response is greatest there, among what is backed, between samples by a parabola [Hz]; NaN where the
      * greatest is at an end of what is backed.
      */
     public double[] ridge() {

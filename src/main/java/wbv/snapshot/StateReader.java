@@ -52,7 +52,7 @@ public final class StateReader {
         return name;
     }
 
-    /** The next number, to the last bit. */
+    /** The next number, of any unit, to the last bit. */
     public double number() {
         require(Double.BYTES);
         return buffer.getDouble();
@@ -70,7 +70,11 @@ public final class StateReader {
         return buffer.getInt();
     }
 
-    /** A whole number within bounds. @throws DataFault if it is not */
+    /**
+     * A whole number within bounds.
+     *
+     * @throws DataFault if it is not
+     */
     public int integer(int least, int most, String what) {
         int value = integer();
         if (value < least || value > most) {
@@ -85,12 +89,16 @@ public final class StateReader {
         return buffer.get() != 0;
     }
 
-    /** Fills an array. Modified. */
+    /** Fills an array, as long as it is, with numbers of any unit. Modified. */
     public void numbers(double[] into) {
         numbers(into, 0, into.length);
     }
 
-    /** Fills a part of an array. Modified. */
+    /**
+     * Fills a part of an array, from an index to before another.
+     *
+     * @param into as long as it is, numbers of any unit. Modified.
+     */
     public void numbers(double[] into, int from, int to) {
         require((to - from) * Double.BYTES);
         for (int i = from; i < to; i++) {
@@ -98,7 +106,11 @@ public final class StateReader {
         }
     }
 
-    /** Reads as many {@code long}s as the array has. @param into Modified. */
+    /**
+     * Reads as many {@code long}s as the array has.
+     *
+     * @param into Modified.
+     */
     public void counts(long[] into) {
         require(into.length * Long.BYTES);
         for (int i = 0; i < into.length; i++) {
@@ -106,7 +118,11 @@ public final class StateReader {
         }
     }
 
-    /** Reads as many truth values as the array has. @param into Modified. */
+    /**
+     * Reads as many truth values as the array has.
+     *
+     * @param into Modified.
+     */
     public void flags(boolean[] into) {
         require(into.length);
         for (int i = 0; i < into.length; i++) {
@@ -136,7 +152,11 @@ public final class StateReader {
         }
     }
 
-    /** Says that all has been read. @throws DataFault if something is left */
+    /**
+     * Says that all has been read.
+     *
+     * @throws DataFault if something is left
+     */
     public void end() {
         if (buffer.hasRemaining()) {
             throw other(buffer.remaining() + " bytes are left");
@@ -154,7 +174,12 @@ public final class StateReader {
         }
     }
 
-    /** Loads one object's state. @param name of the bytes, for messages @param bytes Not modified. */
+    /**
+     * Loads one object's state.
+     *
+     * @param name of the bytes, for messages
+     * @param bytes Not modified.
+     */
     public static void into(Snapshot part, String name, byte[] bytes) {
         StateReader reader = new StateReader(name, bytes);
         reader.part(part);

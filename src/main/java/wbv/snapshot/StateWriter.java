@@ -33,7 +33,7 @@ public final class StateWriter {
         buffer.putInt(MARK).put((byte) VERSION);
     }
 
-    /** A number, to the last bit: 8 bytes. */
+    /** A number, of any unit, to the last bit: 8 bytes. */
     public void put(double value) {
         reserve(Double.BYTES);
         buffer.putDouble(value);
@@ -57,12 +57,16 @@ public final class StateWriter {
         buffer.put((byte) (value ? 1 : 0));
     }
 
-    /** All numbers of an array whose length the reader knows. Not modified. */
+    /** All numbers, of any unit, of an array whose length the reader knows. Not modified. */
     public void put(double[] values) {
         put(values, 0, values.length);
     }
 
-    /** Those of them from an index to before another. @param values Not modified. */
+    /**
+     * Those of them from an index to before another.
+     *
+     * @param values as long as it is, of any unit. Not modified.
+     */
     public void put(double[] values, int from, int to) {
         reserve((to - from) * Double.BYTES);
         for (int i = from; i < to; i++) {

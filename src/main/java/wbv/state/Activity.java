@@ -19,7 +19,12 @@ public enum Activity {
         this.quiet = quiet;
     }
 
-    /** The state of someone to whom this is done. Beyond the threshold jerk counts only in a jolt. @param seat @param head -1, 0, 1 */
+    /**
+     * The state of someone to whom this is done. Beyond the threshold jerk counts only in a jolt.
+     *
+     * @param seat
+     * @param head -1, 0, 1
+     */
     MotionState state(int seat, int head) {
         return this != JOLT || seat == 0 && head == 0 ? quiet : MotionState.jerk(seat, head);
     }

@@ -42,12 +42,12 @@ public final class Confusion {
         return right / (double) all;
     }
 
-    /** 2 × right / (true + said); NaN where a state is neither. */
+    /** 2 × right / (true + said), 0 to 1; NaN where a state is neither. */
     public double f1(MotionState state) {
         return 2.0 * count(state, state) / (of(state) + said(state));
     }
 
-    /** Mean F1 of the states that are true anywhere. */
+    /** Mean F1, 0 to 1, of the states that are true anywhere. */
     public double macroF1() {
         return counts.keySet().stream().mapToDouble(this::f1).average().orElse(Double.NaN);
     }

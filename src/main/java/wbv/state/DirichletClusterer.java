@@ -38,7 +38,7 @@ public final class DirichletClusterer extends MixtureClusterer {
         sweeps = Math.max(1, number);
     }
 
-    /** Variance of a component over that of the data, before they are seen; above 0. */
+    /** Ratio of the variance of a component to that of the data, before they are seen; above 0. */
     public double getShare() {
         return share;
     }

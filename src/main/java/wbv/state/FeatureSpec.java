@@ -10,8 +10,11 @@ import wbv.recording.Quantity;
 /**
  * From which channels the states are told.
  *
- * @param rate of the recording [Hz] @param seat vertical acceleration of the seat @param head of the head
- * @param roll rate about x @param pitch rate about y, of a place that rocks with the seat
+ * @param rate of the recording [Hz]
+ * @param seat vertical acceleration of the seat
+ * @param head of the head
+ * @param roll rate about x
+ * @param pitch rate about y, of a place that rocks with the seat
  */
 public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll, Channel pitch) implements Serializable {
 
@@ -51,17 +54,29 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
         }
     }
 
-    /** The feature of a level of shaking: its logarithm, flat below a sensor's noise and beyond rest. @param level [m/s³] */
+    /**
+     * The feature of a level of shaking: its logarithm, flat below a sensor's noise and beyond rest.
+     *
+     * @param level [m/s³]
+     */
     static double shaking(double level) {
         return -Math.log10(Math.hypot(1 / Math.hypot(level, QUIET_JERK), 1 / LOUD_JERK));
     }
 
-    /** The feature of a surge: its logarithm, flat below what could be a jolt. @param level [m/s²] */
+    /**
+     * The feature of a surge: its logarithm, flat below what could be a jolt.
+     *
+     * @param level [m/s²]
+     */
     static double surge(double level) {
         return Math.log10(Math.hypot(level, QUIET_SURGE));
     }
 
-    /** The feature of sway: its logarithm, flat below what could be rocking. @param level [rad/s] */
+    /**
+     * The feature of sway: its logarithm, flat below what could be rocking.
+     *
+     * @param level [rad/s]
+     */
     static double sway(double level) {
         return Math.log10(Math.hypot(level, QUIET_RATE));
     }
@@ -69,7 +84,9 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
     /**
      * The channels of two places: {@code acc.z} of both, and roll and pitch rate of the lower.
      *
-     * @param channels that there are @param where for messages
+     * @param rate of the recording [Hz]
+     * @param channels that there are
+     * @param where for messages
      * @throws DataFault if one is missing
      */
     public static FeatureSpec of(double rate, String seat, String head, List<Channel> channels, String where) {

@@ -72,8 +72,9 @@ public final class FeatureStream implements Serializable, Snapshot {
     /**
      * Takes a sample, and gives the features of the one {@link FeatureSpec#delay} before.
      *
-     * @param sample values of {@link FeatureSpec#channels}, NaN where missing. Not modified.
-     * @param into   features as {@link FeatureSpec#NAMES}; NaN where a sample that they need is missing. Modified.
+     * @param sample one a channel of {@link FeatureSpec#channels}, in its unit, NaN where missing. Not modified.
+     * @param into   features, as long as {@link FeatureSpec#NAMES} and in their units; NaN where a sample that they need is missing.
+     *               Modified.
      */
     public void step(double[] sample, double[] into) {
         double seatJerk = seat.step(sample[0]);

@@ -26,7 +26,11 @@ final class Greatest implements Serializable, Snapshot {
         greatest = Double.NaN;
     }
 
-    /** Takes a value. @return the greatest; NaN where all are missing */
+    /**
+     * Takes a value.
+     *
+     * @return the greatest; NaN where all are missing
+     */
     double add(double value) {
         double leaves = values[next];
         values[next] = value;

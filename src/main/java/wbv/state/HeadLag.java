@@ -60,13 +60,20 @@ public final class HeadLag implements Serializable {
     private long end = Long.MIN_VALUE;
     private long joltAt;
 
-    /** What the jolts so far say. @param seconds by which the head is later @param deviation of it [s] @param jolts that count */
+    /**
+     * What the jolts so far say.
+     *
+     * @param seconds by which the head is later
+     * @param deviation of it [s]
+     * @param jolts number of those that count
+     */
     public record Lag(double seconds, double deviation, double jolts) {}
 
     /**
      * Has met no jolt yet.
      *
-     * @param rate     of the samples [Hz], 20 to 100 000 @param threshold surge of a jolt [m/s²], such as that of {@link Thresholds}
+     * @param rate     of the samples [Hz], 20 to 100 000
+     * @param threshold surge of a jolt [m/s²], such as that of {@link Thresholds}
      * @param halfLife time after which a jolt counts half [s]; infinite to forget none
      */
     public HeadLag(double rate, double threshold, double halfLife) {
@@ -99,7 +106,13 @@ public final class HeadLag implements Serializable {
         return Math.max(1, (int) Math.round(seconds * rate));
     }
 
-    /** Takes vertical accelerations [m/s²]; NaN is missing, and spoils its jolt. @return whether a jolt has been counted now */
+    /**
+     * Takes vertical accelerations; NaN is missing, and spoils its jolt.
+     *
+     * @param seatAcceleration [m/s²]
+     * @param headAcceleration [m/s²]
+     * @return whether a jolt has been counted now
+     */
     public boolean accept(double seatAcceleration, double headAcceleration) {
         int at = (int) (taken % seats.length);
         seats[at] = seat.step(seatAcceleration);

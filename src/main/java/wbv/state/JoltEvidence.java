@@ -33,7 +33,10 @@ final class JoltEvidence implements Serializable {
         shares = Arrays.stream(places).mapToDouble(k -> model.shares()[k]).toArray();
     }
 
-    /** @param row as {@link FeatureSpec#NAMES}. Not modified. @param into K logarithms. Those of jolts are modified, the others stay. */
+    /**
+     * @param row as {@link FeatureSpec#NAMES}. Not modified.
+     * @param into K logarithms. Those of jolts are modified, the others stay.
+     */
     void of(double[] row, double[] into) {
         double seatUp = beyond(row[FeatureSpec.SEAT_JERK]);
         double seatDown = beyond(-row[FeatureSpec.SEAT_JERK]);

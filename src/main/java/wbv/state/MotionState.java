@@ -46,7 +46,12 @@ public enum MotionState {
         return this == HEAD_UP || this == BOTH_UP ? 1 : this == HEAD_DOWN || this == BOTH_DOWN ? -1 : 0;
     }
 
-    /** The state of the signs of two jerks, of which at least one is not 0. @param seat @param head -1, 0 or 1 */
+    /**
+     * The state of the signs of two jerks, of which at least one is not 0.
+     *
+     * @param seat
+     * @param head -1, 0 or 1
+     */
     static MotionState jerk(int seat, int head) {
         if (seat * head < 0) {
             return OPPOSED;

@@ -13,7 +13,13 @@ public final class Reliability {
 
     private record Said(double probability, boolean came) {}
 
-    /** A tenth of the range of probabilities. @param said mean probability @param came share that came @param count in it */
+    /**
+     * A tenth of the range of probabilities.
+     *
+     * @param said mean probability
+     * @param came share that came
+     * @param count in it
+     */
     public record Bin(double said, double came, int count) {}
 
     /** Takes a probability that was said, and whether it came so; NaN is left out. */
@@ -33,7 +39,7 @@ public final class Reliability {
         return said.stream().filter(Said::came).count() / (double) said.size();
     }
 
-    /** Area under the receiver operating characteristic: Mann and Whitney's U, ties halved. NaN if all or none came. */
+    /** Area under the receiver operating characteristic: Mann and Whitney's U, ties halved, 0 to 1. NaN if all or none came. */
     public double area() {
         List<Said> sorted = said.stream().sorted(Comparator.comparingDouble(Said::probability)).toList();
         double ranks = 0;
@@ -68,7 +74,7 @@ public final class Reliability {
         return bins;
     }
 
-    /** Expected calibration error: what bins are off, weighted by how many they hold. */
+    /** Expected calibration error, as a probability: what bins are off, weighted by how many they hold. */
     public double calibrationError() {
         return bins().stream().mapToDouble(bin -> Math.abs(bin.said() - bin.came()) * bin.count()).sum() / said.size();
     }

@@ -15,7 +15,8 @@ import wbv.signal.Segmentation;
  * function T from jerks of the seat to those of the head about the samples that jerk, from 1 to 8 Hz, weighted by coherence and power.
  *
  * @param lag       of the head behind the seat; empty where too little jerks
- * @param frequency natural, undamped [Hz]; NaN where no body does that @param damping ratio; NaN likewise
+ * @param frequency natural, undamped [Hz]; NaN where no body does that
+ * @param damping ratio; NaN likewise
  * @param samples   that jerk
  */
 public record SeatToHead(Optional<HeadLag.Lag> lag, double frequency, double damping, int samples) {

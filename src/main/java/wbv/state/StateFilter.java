@@ -38,13 +38,22 @@ public final class StateFilter implements Serializable, Snapshot {
         return new StateFilter(model, filter.fresh(), jolts);
     }
 
-    /** Takes a row; one with a missing value says nothing, and time goes on. @param row as {@link FeatureSpec#NAMES}. Not modified. */
+    /**
+     * Takes a row; one with a missing value says nothing, and time goes on.
+     *
+     * @param row as long as {@link FeatureSpec#NAMES}, in their units. Not modified.
+     */
     public void step(double[] row) {
         see(row);
         filter.step(activity, evidence);
     }
 
-    /** Probabilities of the named states after this row, without taking it. @param into one for each {@link MotionState}. Modified. */
+    /**
+     * Probabilities of the named states after this row, without taking it.
+     *
+     * @param row as long as {@link FeatureSpec#NAMES}, in their units. Not modified.
+     * @param into probabilities, one for each {@link MotionState}. Modified.
+     */
     public void look(double[] row, double[] into) {
         see(row);
         filter.look(activity, evidence, byState);
@@ -67,12 +76,20 @@ public final class StateFilter implements Serializable, Snapshot {
         }
     }
 
-    /** Probabilities of the chain's states after the last row. @param into K long. Modified. */
+    /**
+     * Probabilities of the chain's states after the last row.
+     *
+     * @param into probabilities, K long. Modified.
+     */
     public void probabilities(double[] into) {
         filter.probabilities(into);
     }
 
-    /** Probabilities of the named states after the last row. @param into one for each {@link MotionState}. Modified. */
+    /**
+     * Probabilities of the named states after the last row.
+     *
+     * @param into probabilities, one for each {@link MotionState}. Modified.
+     */
     public void byName(double[] into) {
         filter.probabilities(byState);
         model.byName(byState, into);

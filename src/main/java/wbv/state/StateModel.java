@@ -18,11 +18,13 @@ import wbv.state.markov.HiddenMarkov;
  * logistic one, which is normal within a hundredth), and the states of a jolt that agree with it are raised by that over how often
  * they are met. Outside of jolts the jerks say nothing: strong vibration jerks as well.
  *
- * @param features   from which channels @param thresholds by which samples were named
+ * @param features   from which channels
+ * @param thresholds by which samples were named
  * @param mixture    how the mixtures were found, such as {@code message-length}
  * @param chain      over {@link #activity the last three features}
- * @param activities of the chain's states, K @param names of the chain's states, K
- * @param shares     how often a state is met among those of its jolt, K; 1 for others. Not copied; do not change them.
+ * @param activities of the chain's states, K
+ * @param names of the chain's states, K
+ * @param shares     by state, how often it is met among those of its jolt, K long; 1 for others. Not copied; do not change them.
  * @param error      standard deviation of a jerk that is read [m/s³], &gt; 0
  * @param trials     names of the recordings it was trained on
  * @param rows       of every named state in the training
@@ -53,7 +55,12 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
         }
     }
 
-    /** The features that tell the activity. @param row as {@link FeatureSpec#NAMES}. Not modified. @param into 3. Modified. */
+    /**
+     * The features that tell the activity.
+     *
+     * @param row as {@link FeatureSpec#NAMES}. Not modified.
+     * @param into 3. Modified.
+     */
     static void activity(double[] row, double[] into) {
         System.arraycopy(row, row.length - into.length, into, 0, into.length);
     }
@@ -64,7 +71,10 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     }
 
     /**
-     * Adds up the chain's states by name. @param chain K. Not modified. @param into one for each {@link MotionState}. Modified.
+     * Adds up the chain's states by name.
+     *
+     * @param chain probabilities, K long. Not modified.
+     * @param into probabilities, one for each {@link MotionState}. Modified.
      */
     public void byName(double[] chain, double[] into) {
         java.util.Arrays.fill(into, 0);
@@ -107,7 +117,7 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
         return named;
     }
 
-    /** How often the chain's states are met in the long run, K. */
+    /** Shares of time of the chain's states in the long run, K long. */
     public double[] stationary() {
         double[] now = new double[chain.states()];
         java.util.Arrays.fill(now, 1.0 / now.length);

@@ -31,7 +31,11 @@ public final class StateModelFile {
 
     private StateModelFile() {}
 
-    /** The file's text. @param provenance what, and from what, it was made */
+    /**
+     * The file's text.
+     *
+     * @param provenance what, and from what, it was made
+     */
     public static String text(StateModel model, Map<String, String> provenance) {
         ObjectNode root = MAPPER.createObjectNode().put("wbv_states", VERSION);
         FeatureSpec features = model.features();
@@ -125,7 +129,12 @@ public final class StateModelFile {
         }
     }
 
-    /** Reads a file's text. @param name of it, for messages @throws DataFault as {@link #read} */
+    /**
+     * Reads a file's text.
+     *
+     * @param name of it, for messages
+     * @throws DataFault as {@link #read}
+     */
     public static StateModel parse(String text, String name) {
         JsonNode root;
         try {

@@ -44,7 +44,12 @@ public final class StateRuns {
     private long compared;
     private long agreed;
 
-    /** A state that lasted; empty where none is told. @param from first sample @param to one beyond the last */
+    /**
+     * A state that lasted; empty where none is told.
+     *
+     * @param from first sample
+     * @param to one beyond the last
+     */
     public record Run(Optional<MotionState> state, long from, long to) {}
 
     /** Before the first sample. */
@@ -57,12 +62,20 @@ public final class StateRuns {
         peaks = Arrays.stream(components).mapToDouble(each -> each.logDensity(each.mean(), scratch)).toArray();
     }
 
-    /** Whether a model can tell anything of a recording: all of its channels, and its rate. @param rate [Hz] */
+    /**
+     * Whether a model can tell anything of a recording: all of its channels, and its rate.
+     *
+     * @param rate [Hz]
+     */
     public static boolean canTell(StateModel model, List<Channel> channels, double rate) {
         return channels.containsAll(model.features().channels()) && Math.abs(rate / model.features().rate() - 1) <= 0.01;
     }
 
-    /** Takes a sample. @param sample of {@link FeatureSpec#channels}; NaN is missing. Not modified. */
+    /**
+     * Takes a sample.
+     *
+     * @param sample one a channel of {@link FeatureSpec#channels}, in its unit; NaN is missing. Not modified.
+     */
     public void accept(double[] sample) {
         stream.step(sample, row);
         long at = taken++ - model.features().delay();

@@ -100,12 +100,12 @@ public final class StateTrack {
         return states.length;
     }
 
-    /** ln p of the features. */
+    /** ln p of the features [nat]. */
     public double logLikelihood() {
         return logLikelihood;
     }
 
-    /** Features, length by {@link FeatureSpec#NAMES}; NaN where missing. Not a copy. */
+    /** Features, length by {@link FeatureSpec#NAMES}, in their units; NaN where missing. Not a copy. */
     public double[][] features() {
         return features;
     }
@@ -115,7 +115,7 @@ public final class StateTrack {
         return states[sample];
     }
 
-    /** P(a state at a sample | the whole recording). */
+    /** Probability P(a state at a sample | the whole recording). */
     public double probability(int sample, MotionState state) {
         return smoothed[sample][state.ordinal()];
     }
@@ -130,7 +130,7 @@ public final class StateTrack {
         return live[sample];
     }
 
-    /** P(a jerk within the horizon after this sample | samples up to it); NaN for the first few. */
+    /** Probability P(a jerk within the horizon after this sample | samples up to it); NaN for the first few. */
     public double forecast(int horizon, int sample) {
         return forecast[horizon][sample];
     }

@@ -75,13 +75,21 @@ public final class StateTraining {
         }
     }
 
-    /** A training that knows no recording yet. @param thresholds by which rows are named where no truth is known */
+    /**
+     * A training that knows no recording yet.
+     *
+     * @param thresholds by which rows are named where no truth is known
+     */
     public StateTraining(FeatureSpec features, Thresholds thresholds) {
         this.features = features;
         this.thresholds = thresholds;
     }
 
-    /** Takes a recording that nobody labelled: thresholds name its rows. @param name for messages and provenance */
+    /**
+     * Takes a recording that nobody labelled: thresholds name its rows.
+     *
+     * @param name for messages and provenance
+     */
     public void add(String name, Recording recording) {
         add(name, recording, Optional.empty());
     }
@@ -89,7 +97,8 @@ public final class StateTraining {
     /**
      * Takes a recording.
      *
-     * @param name for messages and provenance @param truth what truly happened, where it is known
+     * @param name for messages and provenance
+     * @param truth what truly happened, where it is known
      * @throws DataFault if it lacks a channel or has another rate, or the truth another length
      */
     public void add(String name, Recording recording, Optional<TrueStates> truth) {
@@ -158,7 +167,11 @@ public final class StateTraining {
         return acted.getOrDefault(activity, List.of()).size();
     }
 
-    /** The mixture of every activity that has enough rows. @throws DataFault if fewer than two have enough rows */
+    /**
+     * The mixture of every activity that has enough rows.
+     *
+     * @throws DataFault if fewer than two have enough rows
+     */
     Map<Activity, Mixture> mixtures(Mixing mixing, RandomGenerator random, DoubleConsumer progress) {
         List<Activity> activities = acted.keySet().stream().filter(each -> rows(each) >= FEWEST).toList();
         if (activities.size() < 2) {
@@ -179,7 +192,8 @@ public final class StateTraining {
     /**
      * Trains.
      *
-     * @param seed chooses where mixtures begin @param progress hears the share that is done
+     * @param seed chooses where mixtures begin
+     * @param progress hears the share that is done
      * @throws DataFault if fewer than two activities have enough rows
      */
     public StateModel finish(Mixing mixing, long seed, DoubleConsumer progress) {

@@ -28,7 +28,11 @@ final class Surge implements Serializable, Snapshot {
         before.clear();
     }
 
-    /** Takes a sample. @return the change, without its sign; NaN where too much is missing */
+    /**
+     * Takes a sample.
+     *
+     * @return the change, without its sign; NaN where too much is missing
+     */
     double step(double acceleration) {
         before.add(recent.oldest());
         recent.add(acceleration);

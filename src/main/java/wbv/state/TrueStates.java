@@ -19,7 +19,9 @@ import wbv.recording.DataFault;
  * with the columns {@code episode}, {@code jolt}, {@code seat_jerk_m_per_s3} and {@code head_jerk_m_per_s3}.
  *
  * @param activities what was done to the sitter, one for each sample
- * @param states   one for each sample @param seatJerk how the seat really jerked [m/s³]. Not copied. @param headJerk the head
+ * @param states   one for each sample
+ * @param seatJerk by sample, how the seat really jerked [m/s³]. Not copied.
+ * @param headJerk the head, likewise
  */
 public record TrueStates(List<Activity> activities, List<MotionState> states, double[] seatJerk, double[] headJerk) {
 
@@ -35,10 +37,10 @@ public record TrueStates(List<Activity> activities, List<MotionState> states, do
      *
      * No array is modified.
      *
-     * @param episode 0 idle, 1 riding, 2 rocking
-     * @param jolt whether above 0 one acts
-     * @param seatJerk [m/s³]. Not copied.
-     * @param headJerk
+     * @param episode by row [1]: 0 idle, 1 riding, 2 rocking
+     * @param jolt by row [1]: whether above 0 one acts
+     * @param seatJerk by row [m/s³]. Not copied.
+     * @param headJerk likewise
      */
     public static TrueStates of(double[] episode, double[] jolt, double[] seatJerk, double[] headJerk, Thresholds thresholds) {
         List<Activity> activities = new ArrayList<>();
@@ -50,7 +52,14 @@ public record TrueStates(List<Activity> activities, List<MotionState> states, do
         return new TrueStates(activities, states, seatJerk, headJerk);
     }
 
-    /** What one row of the rig's truth is. @param episode @param jolting @param seatJerk @param headJerk as for {@link #of} */
+    /**
+     * What one row of the rig's truth is.
+     *
+     * @param episode as for {@link #of}
+     * @param jolting whether one acts
+     * @param seatJerk [m/s³]
+     * @param headJerk [m/s³]
+     */
     public static MotionState state(int episode, boolean jolting, double seatJerk, double headJerk, Thresholds thresholds) {
         return PhysicalLabels.truth(PhysicalLabels.activity(episode, jolting), seatJerk, headJerk, thresholds);
     }
@@ -90,7 +99,11 @@ public record TrueStates(List<Activity> activities, List<MotionState> states, do
         }
     }
 
-    /** The states that a track says, against these. @throws DataFault if the lengths differ */
+    /**
+     * The states that a track says, against these.
+     *
+     * @throws DataFault if the lengths differ
+     */
     public Confusion against(StateTrack track, boolean live) {
         require(track);
         Confusion confusion = new Confusion();

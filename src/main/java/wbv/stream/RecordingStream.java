@@ -104,7 +104,11 @@ public class RecordingStream extends AbstractOptionHandler implements InstanceSt
         }
     }
 
-    /** Names of files, which serialise where open files do not. @param map empty where there is none */
+    /**
+     * Names of files, which serialise where open files do not.
+     *
+     * @param map empty where there is none
+     */
     private record File(String path, String map) implements RowInstances.Rows {
 
         RecordingFile source() throws IOException {

@@ -68,7 +68,11 @@ public class StateStream extends AbstractOptionHandler implements InstanceStream
             waiting = new double[channels.delay() + 1][events.length];
         }
 
-        /** Reads until features come. @return what is true of them */
+        /**
+         * Reads until features come.
+         *
+         * @return what is true of them
+         */
         double[] next(double[] into) {
             do {
                 if (!run.read(row)) {

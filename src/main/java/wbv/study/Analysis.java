@@ -246,7 +246,11 @@ public final class Analysis {
         return TrackFile.create(file, outputs.stream().map(Channel::toString).toList(), request.provenance());
     }
 
-    /** Takes a sample into the spectra, where short gaps are bridged. @param y Modified. */
+    /**
+     * Takes a sample into the spectra, where short gaps are bridged.
+     *
+     * @param y Modified.
+     */
     private void average(double u, double[] y) {
         double x = bridges[0].accept(u);
         for (int i = 0; i < y.length; i++) {

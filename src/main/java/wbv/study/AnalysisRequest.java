@@ -34,7 +34,11 @@ public record AnalysisRequest(RowSource source, String title, Optional<Path> map
         outputs = List.copyOf(outputs);
     }
 
-    /** The input among the channels of a recording. @throws DataFault if none can be chosen */
+    /**
+     * The input among the channels of a recording.
+     *
+     * @throws DataFault if none can be chosen
+     */
     Channel chooseInput(List<Channel> channels, String name) {
         if (!input.isEmpty()) {
             return input.get(0);

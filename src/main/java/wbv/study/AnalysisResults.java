@@ -50,13 +50,27 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
      *
      * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
      * @param lost       why nothing is known after the last sample; empty if something is
+     * @param mean_nis mean of the normalised innovations squared [1]
+     * @param unexplained_rms of a sample of the output, in its channel's unit
+     * @param adwin_cuts_s from the first sample, as many as there are, at most 500
      */
     public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz,
             double damping_ratio, double damping_ratio_sd,
             double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
             long gaps, long missing) {}
 
-    /** A frequency response at the bins of its segmentation. */
+    /**
+     * A frequency response at the bins of its segmentation.
+     *
+     * @param averages number of independent averages
+     * @param peak of |H1| where it is usable, in the output's unit over the input's
+     * @param h1 |H1| by bin, likewise
+     * @param hv |Hv| by bin, likewise
+     * @param relative_error relative standard error of |H| by bin
+     * @param input_density by bin, in the unit beside it
+     * @param output_density by bin, in the unit beside it
+     * @param estimator |H| of the body that is followed, by bin [1]
+     */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
             double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
             double[] relative_error, boolean[] usable, String[] unusable_because, String[] other_cause,
@@ -81,7 +95,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /**
      * Motion states as the shipped model tells them.
      *
-     * @param seconds   by state @param untold_s time that is unlike what the model learned from
+     * @param seconds   by state
+     * @param untold_s time that is unlike what the model learned from
      * @param agreement share of the told samples whose state is what the thresholds say of the sample alone
      */
     public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) {}

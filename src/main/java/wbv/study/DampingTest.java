@@ -31,9 +31,13 @@ import wbv.signal.Segmentation;
  * <p>The transmissibility is measured (H1), and that of the mass on spring and damper which moves as the seat does, simulated from the
  * floor over the whole recording. Friction damps the more, the less the seat moves: numbers hold for the level that was ridden.
  *
- * @param format     always {@code wbv-seat-test} @param version of the form, 1 @param provenance what made it
- * @param floor      channel @param seat channel @param seconds of the recording
- * @param seat_value SEAT by r.m.s., Wk both
+ * @param format     always {@code wbv-seat-test}
+ * @param version of the form, 1
+ * @param provenance what made it
+ * @param floor      channel
+ * @param seat channel
+ * @param seconds of the recording
+ * @param seat_value SEAT by r.m.s., Wk both [1]
  * @param measured   highest transmissibility within the band that was shaken; empty where it stands at its end
  * @param fitted     the mass on spring and damper; empty where the seat does not move as one
  * @param curve      by frequency, where the floor was shaken
@@ -53,7 +57,13 @@ public record DampingTest(String format, int version, Map<String, String> proven
     private static final double BIAS = 0.02;
     private static final double LEVEL = 0.95;
 
-    /** The peak. @param resonance_hz where @param transmissibility there @param margin half the band that holds it with 95 % */
+    /**
+     * The peak.
+     *
+     * @param resonance_hz where
+     * @param transmissibility there [1]
+     * @param margin half the band [1] that holds it with 95 %
+     */
     public record Measured(double resonance_hz, double transmissibility, double margin) {}
 
     /**
@@ -62,7 +72,9 @@ public record DampingTest(String format, int version, Map<String, String> proven
      * @param natural_frequency_hz undamped
      * @param damping_ratio to the critical one
      * @param resonance_hz where its transmissibility is highest
-     * @param transmissibility there
+     * @param damping_ratio_deviation of that ratio
+     * @param transmissibility there [1]
+     * @param transmissibility_deviation of that [1]
      * @param explained share of the seat's motion
      */
     public record Fitted(double natural_frequency_hz, double natural_frequency_deviation_hz, double damping_ratio,
@@ -99,10 +111,10 @@ public record DampingTest(String format, int version, Map<String, String> proven
     /**
      * Arrays of one length. Not copied.
      *
-     * @param frequency_hz rising
-     * @param transmissibility |H1|
-     * @param margin half its band
-     * @param fitted NaN if none
+     * @param frequency_hz by line, rising
+     * @param transmissibility |H1| by line [1]
+     * @param margin half its band, by line [1]
+     * @param fitted |H| of what was fitted, by line [1]; NaN if none
      */
     public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) {}
 

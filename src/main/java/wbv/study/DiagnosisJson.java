@@ -14,7 +14,8 @@ import wbv.diagnosis.picture.Pictures;
  * A diagnosis in the format of {@code diagnosis.json}.
  *
  * @param sentence      the verdict for a person
- * @param subject       what the model is of: person or rig @param declared whether the model says so, or it was guessed from what it holds
+ * @param subject       what the model is of: person or rig
+ * @param declared whether the model says so, or it was guessed from what it holds
  * @param latent        places that could carry what nothing explains, best first
  * @param learned       the law that was learned where no mechanism carries what is missing; its terms stand in {@code model.json}
  */
@@ -23,20 +24,28 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
         @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent, List<Law> learned,
         @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
 
-    /** @param times mean square of the mismatch in units of the noise @param pValue see {@link Pictures.View#pValue} */
+    /**
+     * @param times mean square of the mismatch in units of the noise
+     * @param pValue see {@link Pictures.View#pValue}
+     */
     record Located(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("time_s") double[] time, double share,
             @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) {}
 
     /**
-     * @param std null where the recording does not tell @param intervals that hold 95 % @param identifiable whether both ends are
-     *            known
+     * @param std null where the recording does not tell
+     * @param intervals that hold 95 %
+     * @param identifiable whether both ends are known
      * @param reduced χ² per number with it, on the data fitted
      */
     record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
             Map<String, Range> intervals, Map<String, Boolean> identifiable,
             @JsonProperty("chi2_reduced") double reduced) {}
 
-    /** @param low null where the recording sets no end @param high likewise @param from {@code curvature} or {@code profile} */
+    /**
+     * @param low null where the recording sets no end
+     * @param high likewise
+     * @param from {@code curvature} or {@code profile}
+     */
     record Range(double low, double high, String from) {
         static Range of(Interval interval) {
             return new Range(interval.low(), interval.high(), interval.from().name().toLowerCase(Locale.ROOT));
@@ -46,9 +55,9 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
     /**
      * Error held out, over the channel's signal, in a band or in all.
      *
-     * @param signal  part of the channel's power that lies in the band @param removed part of what is above the noise that went,
-     *                null where there was too little @param before90 where 90 % of other draws of the data's blocks lie, likewise
-     *                the others
+     * @param signal  part of the channel's power that lies in the band
+     * @param removed part of what is above the noise that went, null where there was too little
+     * @param before90 where 90 % of other draws of the data's blocks lie, likewise the others
      */
     record HeldOut(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("signal_share") double signal,
             @JsonProperty("nrmse_before") double before, @JsonProperty("nrmse_before_90") double[] before90,
@@ -90,7 +99,11 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
 
     record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) {}
 
-    /** A diagnosis in this format. @param provenance by what it came about: versions, options, SHA-256 of the files */
+    /**
+     * A diagnosis in this format.
+     *
+     * @param provenance by what it came about: versions, options, SHA-256 of the files
+     */
     public static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
         Map<String, Pictures.View> views = new LinkedHashMap<>();
         pictures.views().forEach(view -> views.put(view.channel(), view));

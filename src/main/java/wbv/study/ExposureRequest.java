@@ -33,6 +33,12 @@ public record ExposureRequest(List<Recorded> recordings, SeatMeter.Setup setup, 
      */
     public record Recorded(RowSource source, String title, Optional<String> task, OptionalDouble minutes) {}
 
-    /** Years of daily exposure. @param from age at which it began @param years of it @param days a year of it */
+    /**
+     * Years of daily exposure.
+     *
+     * @param from age at which it began
+     * @param years of it
+     * @param days of it a year [days]
+     */
     public record Career(int from, int years, double days) {}
 }

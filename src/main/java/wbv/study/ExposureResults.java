@@ -27,7 +27,12 @@ import wbv.exposure.Vibration;
 public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, List<Note> remarks,
         Map<String, String> provenance) {
 
-    /** The day and its verdicts. @param lower_bound true if a sampling rate was too low for the whole band */
+    /**
+     * The day and its verdicts.
+     *
+     * @param lower_bound true if a sampling rate was too low for the whole band
+     * @param points the HSE's count [1]
+     */
     public record Day(double minutes, boolean lower_bound, double a8_m_s2, double a8_standard_deviation_m_s2, String a8_axis,
             double points, String verdict, double vdv_m_s1_75, String vdv_axis, String verdict_by_dose, String caution_zone,
             String caution_zone_by_dose, double minutes_until_action_a8, double minutes_until_limit_a8,
@@ -42,7 +47,12 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
             double minutes_until_action_a8, double minutes_until_limit_a8, double minutes_until_action_vdv,
             double minutes_until_limit_vdv, OptionalDouble spinal_dose_m_s2) {}
 
-    /** An axis of a task. Only names that begin with k have the factor k in them, and daily and partial values. */
+    /**
+     * An axis of a task. Only names that begin with k have the factor k in them, and daily and partial values.
+     *
+     * @param k the factor
+     * @param partial_points number of points
+     */
     public record TaskAxis(String weighting, double k, double band_from_hz, double band_to_hz, boolean lower_bound,
             double measured_s, double missing_s, double a_w_m_s2, double a_w_standard_deviation_m_s2, double k_a_w_m_s2,
             double peak_m_s2, double crest_factor, double mtvv_m_s2, double mtvv_at_s, double mtvv_exponential_m_s2,
@@ -50,17 +60,27 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
             double partial_points, double daily_vdv_m_s1_75, double estimated_daily_vdv_m_s1_75, OptionalDouble seat_rms,
             OptionalDouble seat_vdv, Optional<Bands> third_octaves) {}
 
-    /** One-third-octave bands. */
+    /** One-third-octave bands; arrays are as long as there are bands. */
     public record Bands(double[] nominal_hz, double[] measured_m_s2, double[] weighted_m_s2) {}
 
     /** Comfort: factors k are in the totals, not in the levels. */
     public record Comforts(double total_m_s2, String reaction, Map<String, Double> points_m_s2, Map<String, Double> levels) {}
 
-    /** ISO 2631-5. @param risks by sex */
+    /**
+     * ISO 2631-5.
+     *
+     * @param days_a_year number of days with this dose
+     * @param risks by sex
+     */
     public record Spine(double daily_dose_m_s2, int from_age, int years, double days_a_year, boolean indicative,
             Map<String, Risk> risks) {}
 
-    /** Daily stress Sd, stress variable R and probability of injury. */
+    /**
+     * Daily stress Sd, stress variable R and probability of injury.
+     *
+     * @param stress_mpa Sd [MPa]
+     * @param r R [1]
+     */
     public record Risk(double stress_mpa, double r, double probability) {}
 
     /** Something to know. */

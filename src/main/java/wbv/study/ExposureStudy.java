@@ -109,7 +109,11 @@ public final class ExposureStudy {
         return text.append(sentence(" m/s^1.75")).append('\n').toString();
     }
 
-    /** The verdict in a sentence or two. @param doseUnit what follows the number of a dose */
+    /**
+     * The verdict in a sentence or two.
+     *
+     * @param doseUnit what follows the number of a dose
+     */
     public String sentence(String doseUnit) {
         return String.format(Locale.ROOT,
                 "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s%s along %s: %s.%s",

@@ -32,7 +32,11 @@ public final class FoldedFindings {
      */
     public record Line(Severity severity, String message, String advice) {}
 
-    /** The findings on the whole recording and on the places used, gravest first. @param used locations */
+    /**
+     * The findings on the whole recording and on the places used, gravest first.
+     *
+     * @param used locations
+     */
     public static List<Line> of(Inspection seen, Set<String> used) {
         Map<String, List<Finding>> kinds = new LinkedHashMap<>();
         seen.findings().stream().filter(finding -> place(finding).map(used::contains).orElse(true))

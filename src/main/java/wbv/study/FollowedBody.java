@@ -51,8 +51,11 @@ public final class FollowedBody {
     /**
      * What was known of the body at one moment.
      *
-     * @param time from the first sample [s] @param frequency natural frequency [Hz] @param frequencyDeviation its standard deviation
-     * @param damping damping ratio @param dampingDeviation its standard deviation
+     * @param time from the first sample [s]
+     * @param frequency natural frequency [Hz]
+     * @param frequencyDeviation its standard deviation [Hz]
+     * @param damping damping ratio
+     * @param dampingDeviation standard deviation of that ratio
      */
     public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
@@ -90,12 +93,19 @@ public final class FollowedBody {
         }
     }
 
-    /** @param alarms makes an alarm for each filter @param others number of motions of the base beside the input */
+    /**
+     * @param alarms makes an alarm for each filter
+     * @param others number of motions of the base beside the input
+     */
     FollowedBody(Channel channel, EstimatorDesign recipe, Spec spec, Supplier<Alarm> alarms, int others) {
         this(channel, recipe, true, spec, alarms, others);
     }
 
-    /** By the usual estimator. @param follows whether input and output are accelerations, which is what it follows */
+    /**
+     * By the usual estimator.
+     *
+     * @param follows whether input and output are accelerations, which is what it follows
+     */
     static FollowedBody usual(Channel channel, Spec spec, boolean follows) {
         return new FollowedBody(channel, EstimatorDesign.of(Method.EKF_ADWIN), follows, spec, () -> new AdwinAlarm(DELTA), 0);
     }
@@ -105,7 +115,11 @@ public final class FollowedBody {
         return accept(u, ALONE, y);
     }
 
-    /** Takes a sample; NaN is missing. Returns the track after it. @param others of the base's other motions. Not modified. */
+    /**
+     * Takes a sample; NaN is missing. Returns the track after it.
+     *
+     * @param others of the base's other motions. Not modified.
+     */
     BodyEstimate accept(double u, double[] others, double y) {
         moves |= y != 0 && !Double.isNaN(y);
         BodyEstimate track = follows ? estimator.step(u, others, y) : track();
@@ -177,7 +191,7 @@ public final class FollowedBody {
         return known.map(last -> String.format(Locale.ROOT, "as known at %.0f s, lost since: ", last.time()) + why).orElse(why);
     }
 
-    /** Times of the alarm's cuts from the first sample [s], at most the first 500. */
+    /** Times of the alarm's cuts from the first sample [s], as many as there are, at most the first 500. */
     public double[] cuts() {
         return Arrays.copyOf(cuts, cutCount);
     }
@@ -196,7 +210,7 @@ public final class FollowedBody {
         return estimator.estimator();
     }
 
-    /** Modulus of the response of the body as known after the last sample, at a frequency [Hz]. */
+    /** Modulus [1] of the response of the body as known after the last sample, at a frequency [Hz]. */
     public double modulus(double frequency) {
         return estimator().modulus(frequency);
     }
@@ -221,7 +235,7 @@ public final class FollowedBody {
         return channel + "." + recipe.method().word();
     }
 
-    /** Times of changes from the first sample [s], at most the first 500. */
+    /** Times of changes from the first sample [s], as many as there are, at most the first 500. */
     public double[] changes() {
         return Arrays.copyOf(changes, changeCount);
     }

@@ -35,7 +35,11 @@ public record Identification(String recording, List<String> inputs, String outpu
     /** Samples in the place of one for instruments: what a straight line misses of 15 Hz at 60 Hz falls from 19 % to 1 %. */
     private static final int CLOSER = 4;
 
-    /** A number of poles that was tried. @param schwarz criterion, the lower the better */
+    /**
+     * A number of poles that was tried.
+     *
+     * @param schwarz Schwarz's criterion [1], the lower the better
+     */
     public record Tried(int poles, double schwarz) {}
 
     /** A mode and where it lies with one standard deviation. */
@@ -56,13 +60,23 @@ public record Identification(String recording, List<String> inputs, String outpu
     /**
      * ARMAX.
      *
+     * @param a as long as there are poles [1]
+     * @param b by input, in the output's unit over the input's
+     * @param c as long as {@link wbv.identify.Armax} has it [1]
+     * @param residual_sd in the output's unit
      * @param predicted share of the output's variance that is predicted one step ahead
      * @param simulated share that is simulated from the inputs alone
      */
     public record Discrete(int poles, double[] a, double[][] b, double[] c, double residual_sd, double predicted, double simulated,
             boolean converged, String equation, List<Mode> modes) {}
 
-    /** {@code B(s)/A(s)} of every input; coefficients of the highest power first, A's leading 1 left out. */
+    /**
+     * {@code B(s)/A(s)} of every input, s in rad/s; coefficients of the highest power first, A's leading 1 left out.
+     *
+     * @param a as long as there are poles; units as {@link wbv.identify.TransferModel} has them
+     * @param b by input; units likewise
+     * @param simulated share of the output's variance that is simulated from the inputs alone
+     */
     public record Continuous(int poles, double[] a, double[][] b, double simulated, List<Mode> modes) {}
 
     /**

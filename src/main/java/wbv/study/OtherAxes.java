@@ -28,7 +28,12 @@ final class OtherAxes {
     private static final Set<Quantity> MOTIONS = EnumSet.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.ANGULAR_RATE);
     private static final double LONGEST_BRIDGE = 0.05;
 
-    /** The motion that an output follows. @param partial median partial coherence there @param bins at how many frequencies */
+    /**
+     * The motion that an output follows.
+     *
+     * @param partial median partial coherence there
+     * @param bins at how many frequencies
+     */
     record Named(Channel channel, double partial, int bins) {}
 
     private final List<Channel> candidates;
@@ -66,7 +71,11 @@ final class OtherAxes {
         return summary.count() > 0 && summary.rms() > 0;
     }
 
-    /** Takes the next row. @param row time, then the channels. Not modified. */
+    /**
+     * Takes the next row.
+     *
+     * @param row time, then the channels. Not modified.
+     */
     void accept(double[] row) {
         if (!candidates.isEmpty()) {
             Arrays.setAll(values, i -> row[columns[i]]);

@@ -45,7 +45,12 @@ final class PathBodies {
         return motions;
     }
 
-    /** Takes a sample; NaN is missing. @param crossing of the motions @param y of the outputs */
+    /**
+     * Takes a sample; NaN is missing.
+     *
+     * @param crossing of the motions
+     * @param y of the outputs
+     */
     void accept(double u, double[] crossing, double[] y) {
         values[0] = u;
         System.arraycopy(crossing, 0, values, 1, crossing.length);
@@ -53,7 +58,11 @@ final class PathBodies {
         window.accept(values);
     }
 
-    /** What is known after the last sample, in the order of the outputs. @param degrees as {@link EquivalentBodies#of} has it */
+    /**
+     * What is known after the last sample, in the order of the outputs.
+     *
+     * @param degrees as {@link EquivalentBodies#of} has it
+     */
     List<PathBody> bodies(int degrees) {
         List<PathBody> found = new ArrayList<>();
         if (window.length() == 0) {

@@ -88,7 +88,13 @@ public record PathBody(Channel output, List<Channel> others, Optional<Equivalent
                 + " Hz, damping ratio " + within(mode.damping(), 2 * mode.dampingDeviation(), 3)).collect(Collectors.joining(" and "));
     }
 
-    /** A value and its ±, with decimals enough for the latter not to vanish. @param least decimals */
+    /**
+     * A value and its ±, with decimals enough for the latter not to vanish.
+     *
+     * @param value of any unit
+     * @param half in the same unit
+     * @param least decimals
+     */
     public static String within(double value, double half, int least) {
         int decimals = Math.max(least, half > 0 ? (int) Math.ceil(-Math.log10(2 * half)) : least);
         return String.format(Locale.ROOT, "%." + decimals + "f ± %." + decimals + "f", value, half);

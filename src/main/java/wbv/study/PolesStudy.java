@@ -32,18 +32,31 @@ public final class PolesStudy {
         this.result = result;
     }
 
-    /** Tries what was learned on a recording that took no part. @param name of the recording */
+    /**
+     * Tries what was learned on a recording that took no part.
+     *
+     * @param name of the recording
+     */
     public void check(String name, Recording recording) {
         SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict(name, recording);
         heldBack.add(new HeldBack(name, recording, prediction, RemovalCheck.of(result.trained(), name, recording,
                 prediction)));
     }
 
-    /** What {@code results.json} holds. @param recordings that were held back @param pole_hz of the place that stays measured */
+    /**
+     * What {@code results.json} holds.
+     *
+     * @param recordings that were held back
+     * @param pole_hz of the place that stays measured
+     */
     record Results(String measured, double pole_hz, int trained_on, int recordings, List<RemovalVerdict> predicted,
             Map<String, String> provenance) {}
 
-    /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
+    /**
+     * Writes all three.
+     *
+     * @param provenance what, and from what, this was made, in the order in which it is shown
+     */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
         AtomicFile.write(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
         StringBuilder csv = new StringBuilder("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");

@@ -18,10 +18,10 @@ import wbv.signal.Segmentation;
  * What the published models of seated people transmit vertically from seat to head: from the least of them to the greatest. Their
  * values are mostly recalled and marked as assumed ({@link PublishedModels}); what ISO 5982 gives as a range is not among them.
  *
- * @param low      least modulus at every bin; NaN where there is none
- * @param high     greatest modulus at every bin
- * @param peaks    moduli at the models' peaks, in the order of {@link PublishedModels#names}
- * @param peaksAt  their frequencies [Hz]
+ * @param low      least modulus at every bin [1]; NaN where there is none
+ * @param high     greatest modulus at every bin [1]
+ * @param peaks    moduli at the models' peaks [1], by model, in the order of {@link PublishedModels#names}
+ * @param peaksAt  their frequencies by model [Hz]
  */
 public record PublishedRange(double[] low, double[] high, double[] peaks, double[] peaksAt) {
 
@@ -71,7 +71,7 @@ public record PublishedRange(double[] low, double[] high, double[] peaks, double
         return Arrays.stream(peaks).min().orElseThrow();
     }
 
-    /** The highest. */
+    /** The highest [1]. */
     public double greatestPeak() {
         return Arrays.stream(peaks).max().orElseThrow();
     }

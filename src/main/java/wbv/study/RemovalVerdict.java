@@ -14,15 +14,19 @@ import wbv.recording.Channel;
  * @param tried   whether a recording with its sensor was held back
  * @param holds   whether it can
  * @param reason  why it cannot, or is not known; empty if it can
- * @param least   smallest part of the variance that was left, NaN where nothing was tried
- * @param most    largest
+ * @param least   smallest share of the variance that was left, NaN where nothing was tried
+ * @param most    largest share
  */
 public record RemovalVerdict(String channel, boolean tried, boolean holds, String reason, double least, double most) {
 
     /** More than half unexplained is no prediction. */
     static final double HALF = 0.5;
 
-    /** The verdict on one channel. @param all checks of all channels */
+    /**
+     * The verdict on one channel.
+     *
+     * @param all checks of all channels
+     */
     public static RemovalVerdict of(Channel channel, List<RemovalCheck> all) {
         List<RemovalCheck> own = all.stream().filter(check -> check.channel().equals(channel)).toList();
         if (own.isEmpty()) {
@@ -45,7 +49,11 @@ public record RemovalVerdict(String channel, boolean tried, boolean holds, Strin
                 own.stream().mapToDouble(RemovalCheck::error).max().orElseThrow());
     }
 
-    /** In one sentence for each channel. @param recordings held back */
+    /**
+     * In one sentence for each channel.
+     *
+     * @param recordings held back
+     */
     public static String sentence(List<RemovalVerdict> all, int recordings) {
         List<String> said = new ArrayList<>();
         for (RemovalVerdict each : all) {

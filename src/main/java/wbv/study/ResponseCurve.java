@@ -24,8 +24,10 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         Optional<ComplexSeries> model, double plate, double level) {
 
     /**
-     * How a model and a response differ where it is usable. @param relative rms of the difference over rms @param inside the
-     * band
+     * How a model and a response differ where it is usable.
+     *
+     * @param relative rms of the difference over rms
+     * @param inside share of it within the band
      */
     public record Misfit(double relative, double inside) {}
 
@@ -58,7 +60,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return all.margin(0, index, level);
     }
 
-    /** Half the interval about the phase of H1 [rad]; π where the modulus may be 0. */
+    /** Half the interval about the phase of H1, by bin [rad]; π where the modulus may be 0. */
     public double[] phaseMargin() {
         double[] margin = margin();
         ComplexSeries h = h1();
@@ -151,7 +153,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return margin()[(int) Math.round(peak.frequency() / frequency()[1])];
     }
 
-    /** Lowest and highest usable frequency [Hz]; NaN where none is. */
+    /** Two numbers, the lowest and the highest usable frequency [Hz]; NaN where none is. */
     public double[] usableBand() {
         double low = Double.NaN;
         double high = Double.NaN;
@@ -164,7 +166,11 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return new double[] {low, high};
     }
 
-    /** Median of an array over the usable frequencies; NaN where none is. @param values by bin. Not modified. */
+    /**
+     * Median of an array over the usable frequencies, in its unit; NaN where none is.
+     *
+     * @param values by bin, of any unit. Not modified.
+     */
     public double typical(double[] values) {
         double[] kept = java.util.stream.IntStream.range(0, values.length).filter(k -> usable()[k]).mapToDouble(k -> values[k])
                 .sorted().toArray();

@@ -46,7 +46,11 @@ public record ResponseRequest(RowSource source, String title, Map<String, RowSou
         outputs = List.copyOf(outputs);
     }
 
-    /** The inputs among the channels of a recording. @throws DataFault if none can be chosen, or one is named twice */
+    /**
+     * The inputs among the channels of a recording.
+     *
+     * @throws DataFault if none can be chosen, or one is named twice
+     */
     List<Channel> chooseInputs(List<Channel> channels, String name) {
         List<Channel> chosen = inputs.isEmpty() ? List.of(new AnalysisRequest(source, title, map, List.of(), List.of(), 5, 0.4,
                 provenance).chooseInput(channels, name)) : inputs;

@@ -16,6 +16,7 @@ import wbv.signal.SubjectMean;
  * Frequency responses for machines, as {@code frf.json} holds them. Units stand in the names, or beside the numbers.
  *
  * @param level      confidence of the margins
+ * @param frequency_hz by bin, as are all curves
  * @param among      for each input the share of it that the others explain, by frequency; empty with one input
  * @param responses  by output, and by input within
  * @param provenance how the results came about
@@ -28,7 +29,13 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
     /**
      * One response.
      *
-     * @param margin    half the band about |H1|
+     * @param averages  number of independent averages
+     * @param margin    half the band about |H1|, by bin, in {@code unit}
+     * @param phase_margin_rad likewise, by bin
+     * @param multiple_coherence by bin
+     * @param partial_coherence by bin
+     * @param ordinary_coherence by bin
+     * @param output_density by bin, in the square of the output's unit over hertz
      * @param unusable_because by frequency, empty where it is usable
      * @param other_cause the other motion of highest partial coherence where the inputs do not make the output; empty elsewhere
      * @param other_motion the one that is named most often, null where none is
@@ -56,7 +63,12 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
         }
     }
 
-    /** A complex curve. */
+    /**
+     * A complex curve.
+     *
+     * @param modulus by bin, in the unit of the response
+     * @param phase_rad by bin
+     */
     public record Polar(double[] modulus, double[] phase_rad) {
         static Polar of(ComplexSeries h) {
             return new Polar(h.magnitudes(), h.phases());
@@ -66,6 +78,8 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
     /**
      * The highest place of |H1| where it is usable.
      *
+     * @param modulus in the unit of the response
+     * @param margin likewise
      * @param at_end whether the highest value stands at the end of what is usable, so that the curve may rise further
      */
     public record PeakFacts(double frequency_hz, double modulus, double margin, boolean at_end) {}
@@ -81,12 +95,23 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
     /**
      * A force over an acceleration at one place.
      *
+     * @param normalised ratio of the apparent mass to the sitting mass, by bin; empty where that is not known
+     * @param impedance_ns_per_m modulus by bin
+     * @param absorbed_power_w_per_hz by bin
      * @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised
      */
     public record DrivingPointFacts(OptionalDouble sitting_mass_kg, double plate_kg, double[] normalised,
             double[] impedance_ns_per_m, double[] absorbed_power_w_per_hz, double absorbed_power_w) {}
 
-    /** Mean of several people's curves, stretched so that their peaks meet. */
+    /**
+     * Mean of several people's curves, stretched so that their peaks meet.
+     *
+     * @param peak in the unit of the response
+     * @param peak_sd likewise
+     * @param mean by bin, in the unit of the response
+     * @param sd likewise
+     * @param plain_mean likewise, of the curves as they are
+     */
     public record PeopleFacts(List<String> names, int averaged, double peak_hz, double peak_sd_hz, double peak, double peak_sd,
             double[] mean, double[] sd, double[] plain_mean) {}
 

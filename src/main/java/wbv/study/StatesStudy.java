@@ -29,7 +29,11 @@ public final class StatesStudy {
     private final Confusion live = new Confusion();
     private final List<Reliability> forecasts = List.of(new Reliability(), new Reliability(), new Reliability());
 
-    /** A recording with what was said of it. @param body natural frequency [Hz] and damping ratio by the Kalman estimator */
+    /**
+     * A recording with what was said of it.
+     *
+     * @param body natural frequency [Hz] and damping ratio by the Kalman estimator
+     */
     public record Labelled(String name, StateTrack track, SeatToHead way, Optional<double[]> body) {}
 
     /** Of no recording yet. */

@@ -5,7 +5,11 @@ import java.util.Map;
 import wbv.state.MotionState;
 import wbv.state.StateRuns;
 
-/** The motion states of one recording as the shipped model tells them. @param runs what it told */
+/**
+ * The motion states of one recording as the shipped model tells them.
+ *
+ * @param runs what it told
+ */
 public record ToldStates(StateRuns runs) {
 
     /**

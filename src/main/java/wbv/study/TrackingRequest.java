@@ -51,7 +51,11 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
         return recipes.stream().anyMatch(recipe -> recipe.degrees() == 2) ? 2 : 0;
     }
 
-    /** What estimators of a quantity are told. @param rate [Hz] */
+    /**
+     * What estimators of a quantity are told.
+     *
+     * @param rate [Hz]
+     */
     Spec spec(Quantity quantity, double rate) {
         Spec usual = quantity == Quantity.ANGULAR_RATE ? Spec.rotary(rate) : Spec.at(rate);
         Spec told = Double.isNaN(density) ? usual : usual.withNoise(density * Math.sqrt(rate / 2));

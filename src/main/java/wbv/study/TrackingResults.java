@@ -25,7 +25,10 @@ public record TrackingResults(String recording, double rate_hz, double duration_
      * What an estimator knew after the last sample, and how it fared.
      *
      * @param mse             mean square of output less prediction, from ten seconds on, in the channel's unit squared
-     * @param mse_of_variance the same over the output's variance
+     * @param mse_of_variance the same over the output's variance [1]
+     * @param mean_nis mean of the normalised innovations squared [1]
+     * @param unexplained_rms of a sample of the output, in its channel's unit
+     * @param changes_s from the first sample, as many as there are, at most 500
      */
     public record TrackFacts(String output, String estimator, int degrees, List<ModeFacts> modes, double share, double mse,
             double mse_of_variance, double mean_nis, double unexplained_rms, double excited_share,

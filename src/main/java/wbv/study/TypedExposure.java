@@ -20,18 +20,39 @@ import wbv.exposure.Vibration;
  */
 public record TypedExposure(DailyExposure day) {
 
-    /** A spell of vibration. @param levels weighted r.m.s. acceleration a_w [m/s²] by axis, without the factors k @param hours a day */
+    /**
+     * A spell of vibration.
+     *
+     * @param levels weighted r.m.s. acceleration a_w [m/s²] by axis, without the factors k
+     * @param hours a day
+     */
     public record Spell(Map<SeatAxis, Double> levels, double hours) {}
 
-    /** The same for machines. @param points by the HSE's count @param minutesToAction a day of this mix of spells; NaN if never */
+    /**
+     * The same for machines.
+     *
+     * @param a8 [m/s²]
+     * @param points by the HSE's count [1]
+     * @param minutesToAction a day of this mix of spells; NaN if never
+     * @param estimatedDose [m/s^1.75]
+     */
     public record Results(List<SpellResults> spells, Map<String, Double> a8ByAxis, String worstAxis, double a8, double points,
             String verdict, double minutesToAction, double minutesToLimit, double estimatedDose) {}
 
-    /** One spell for machines. @param levels a_w [m/s²] by axis @param points by axis, which add up over the spells */
+    /**
+     * One spell for machines.
+     *
+     * @param levels a_w [m/s²] by axis
+     * @param points by axis, which add up over the spells
+     */
     public record SpellResults(double minutes, Map<String, Double> levels, Map<String, Double> a8, Map<String, Double> points,
             double minutesToActionAlone, double minutesToLimitAlone) {}
 
-    /** A day of such spells. @throws wbv.recording.DataFault if the spells last longer than a day */
+    /**
+     * A day of such spells.
+     *
+     * @throws wbv.recording.DataFault if the spells last longer than a day
+     */
     public static TypedExposure of(List<Spell> spells) {
         List<DailyTask> tasks = new ArrayList<>();
         for (int i = 0; i < spells.size(); i++) {

@@ -10,7 +10,11 @@ public final class Unbacked {
 
     private Unbacked() {}
 
-    /** Why, as a clause. @param several whether there are several inputs */
+    /**
+     * Why, as a clause.
+     *
+     * @param several whether there are several inputs
+     */
     public static String words(Backing reason, boolean several) {
         return reason == Backing.NOT_CAUSED && several ? "not caused by these inputs alone" : reason.words();
     }
@@ -52,7 +56,11 @@ public final class Unbacked {
                         ? ": none of the other motions recorded there shows in it" : "");
     }
 
-    /** How often something backs or fails, from a bin on. @param backing Not modified. */
+    /**
+     * How often something backs or fails, from a bin on.
+     *
+     * @param backing Not modified.
+     */
     public static long count(Backing[] backing, int from, Backing what) {
         return Arrays.stream(backing).skip(from).filter(what::equals).count();
     }

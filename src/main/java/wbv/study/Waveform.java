@@ -17,7 +17,11 @@ public final class Waveform {
     private int size;
     private int inLast;
 
-    /** A waveform of no sample yet. @param most values kept at most, even, at least 2 */
+    /**
+     * A waveform of no sample yet.
+     *
+     * @param most values kept at most, even, at least 2
+     */
     public Waveform(int most) {
         if (most < 2 || most % 2 != 0) {
             throw new IllegalArgumentException("number of values must be even and >= 2: " + most);
@@ -27,7 +31,7 @@ public final class Waveform {
         largest = smallest;
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /** Takes the next sample, of any unit; NaN is missing. */
     public void accept(double value) {
         if (size > 0 && inLast < width) {
             inLast++;
@@ -80,12 +84,12 @@ public final class Waveform {
         return size;
     }
 
-    /** The sample, or the smallest of those that a value stands for; NaN where all are missing. */
+    /** The sample, in its unit, or the smallest of those that a value stands for; NaN where all are missing. */
     public double smallest(int value) {
         return smallest[value];
     }
 
-    /** The sample, or the largest of those that a value stands for; NaN where all are missing. */
+    /** The sample, in its unit, or the largest of those that a value stands for; NaN where all are missing. */
     public double largest(int value) {
         return largest[value];
     }

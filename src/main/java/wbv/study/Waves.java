@@ -20,7 +20,10 @@ final class Waves {
     private final double[][] samples;
     private int count;
 
-    /** @param channels the input first @param length of the recording in samples */
+    /**
+     * @param channels the input first
+     * @param length of the recording in samples
+     */
     Waves(int channels, long length) {
         if (length > MOST) {
             throw new DataFault("a response can be followed through " + MOST + " samples at most, not " + length

@@ -141,7 +141,11 @@ public class MeasureExposure extends AuxiliarMainTask {
         return rate;
     }
 
-    /** Lets time pass of which the stream has no instances. @param most after which nothing changes any more */
+    /**
+     * Lets time pass of which the stream has no instances.
+     *
+     * @param most after which nothing changes any more
+     */
     private static void lose(long samples, Map<SeatAxis, Meter> meters, long most) {
         for (long i = 0; i < Math.min(samples, most); i++) {
             meters.values().forEach(meter -> meter.accept(Double.NaN));

@@ -157,14 +157,22 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    /** Writes the line of a single body. @param time [s] */
+    /**
+     * Writes the line of a single body.
+     *
+     * @param time [s]
+     */
     public void write(BodyEstimate track, double time) {
         begin(time);
         add(track);
         end();
     }
 
-    /** Begins a line. @param time [s] */
+    /**
+     * Begins a line.
+     *
+     * @param time [s]
+     */
     public void begin(double time) {
         line.setLength(0);
         if (format == Format.JSON) {

@@ -9,7 +9,11 @@ final class Words {
 
     private Words() {}
 
-    /** What an option says that a task cannot do without. @throws IllegalArgumentException if it says nothing */
+    /**
+     * What an option says that a task cannot do without.
+     *
+     * @throws IllegalArgumentException if it says nothing
+     */
     static String needed(StringOption option) {
         String value = option.getValue();
         if (value == null || value.isBlank()) {

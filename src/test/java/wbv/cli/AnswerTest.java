@@ -34,7 +34,7 @@ class AnswerTest {
 
     @Test
     void everyCommandThatAnswersDoesSoAsJsonAndQuietly() {
-        require(new CommandLine(new Main()));
+        require(Commands.all());
     }
 
     private static void require(CommandLine command) {

@@ -38,7 +38,7 @@ class CommandReferenceTest {
 
     private static List<CommandLine> commands() {
         List<CommandLine> commands = new ArrayList<>();
-        gather(new CommandLine(new Main()), commands);
+        gather(Commands.all(), commands);
         return commands;
     }
 

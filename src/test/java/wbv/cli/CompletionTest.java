@@ -71,7 +71,7 @@ class CompletionTest {
     @Test
     void fishCompletesEveryCommandWithItsOptions() throws Exception {
         Path script = script("fish");
-        CommandLine whole = new CommandLine(new Main());
+        CommandLine whole = Commands.all();
         assertEquals(new TreeSet<>(whole.getSubcommands().keySet()), fish(script, "wbv "));
         for (List<String> path : List.of(List.of("analyze"), List.of("export"), List.of("net", "export"), List.of("states", "train"))) {
             CommandLine command = whole;

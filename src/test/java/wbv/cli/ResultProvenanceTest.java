@@ -41,7 +41,7 @@ class ResultProvenanceTest {
 
     @TestFactory
     Stream<DynamicTest> everyCommandWithAllOfItsOptionsIsReadBack() {
-        return leaves(new CommandLine(new Main()).getCommandSpec()).stream()
+        return leaves(Commands.all().getCommandSpec()).stream()
                 .map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
                     List<String> words = new ArrayList<>(path(command));
                     command.options().stream().filter(option -> !option.usageHelp() && !option.versionHelp())
@@ -55,7 +55,7 @@ class ResultProvenanceTest {
 
     @TestFactory
     Stream<DynamicTest> everyCommandWithItsDefaultsIsReadBack() {
-        return leaves(new CommandLine(new Main()).getCommandSpec()).stream()
+        return leaves(Commands.all().getCommandSpec()).stream()
                 .map(command -> DynamicTest.dynamicTest(command.qualifiedName(), () -> {
                     List<String> words = new ArrayList<>(path(command));
                     command.requiredArgs().forEach(each -> words.addAll(
@@ -139,7 +139,7 @@ class ResultProvenanceTest {
     }
 
     private static CommandSpec parsed(List<String> words) {
-        ParseResult result = new CommandLine(new Main()).parseArgs(words.toArray(String[]::new));
+        ParseResult result = Commands.all().parseArgs(words.toArray(String[]::new));
         while (result.hasSubcommand()) {
             result = result.subcommand();
         }

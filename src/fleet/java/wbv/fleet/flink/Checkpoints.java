@@ -16,7 +16,11 @@ final class Checkpoints {
 
     private Checkpoints() {}
 
-    /** The newest that is whole. @param folder of one folder for each job, the jobs of one run one after the other */
+    /**
+     * The newest that is whole.
+     *
+     * @param folder of one folder for each job, the jobs of one run one after the other
+     */
     static Optional<Path> newest(Path folder) throws IOException {
         if (!Files.isDirectory(folder)) {
             return Optional.empty();

@@ -106,7 +106,11 @@ public final class FleetJob {
         return settings;
     }
 
-    /** The whole job. @param parts folder for the rows, where packets do not come from topics */
+    /**
+     * The whole job.
+     *
+     * @param parts folder for the rows, where packets do not come from topics
+     */
     static void build(StreamExecutionEnvironment environment, byte[] order, Path parts, int parallelism) {
         environment.setParallelism(parallelism);
         FleetOrder fleet = FleetOrder.of(order);

@@ -96,7 +96,11 @@ public final class FlinkEngine implements FleetEngine {
         delete(parts);
     }
 
-    /** Makes the folder ready. @return whether a run of the same order was stopped there, and left a checkpoint to go on with */
+    /**
+     * Makes the folder ready.
+     *
+     * @return whether a run of the same order was stopped there, and left a checkpoint to go on with
+     */
     private static boolean begin(byte[] order, Path parts) throws IOException {
         Path file = parts.resolve("order");
         boolean there = Files.exists(file);

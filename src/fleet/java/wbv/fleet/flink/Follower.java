@@ -41,7 +41,10 @@ final class Follower {
     /** The model that a seat is to go by. */
     interface Models {
 
-        /** @param time of a packet [s] @return number of the newest that holds then, at least so old; {@link Kept#FIRST} before any */
+        /**
+         * @param time of a packet [s]
+         * @return number of the newest that holds then, at least so old; {@link Kept#FIRST} before any
+         */
         long at(double time) throws Exception;
 
         /** Text of a model, by its number. */
@@ -84,7 +87,11 @@ final class Follower {
         return plan;
     }
 
-    /** Takes a packet. @return whether it is the first of its seat */
+    /**
+     * Takes a packet.
+     *
+     * @return whether it is the first of its seat
+     */
     boolean accept(long place, String name, byte[] bytes, Models models, Told told) throws Exception {
         Packet packet;
         try {

@@ -31,7 +31,11 @@ final class LocalCluster {
     private int started;
     private int replaced;
 
-    /** Starts it. Returns when all its workers are there. @param folder for its settings and temporary files */
+    /**
+     * Starts it. Returns when all its workers are there.
+     *
+     * @param folder for its settings and temporary files
+     */
     LocalCluster(Processes processes, ClassPaths classes, Path folder, int workers, Consumer<String> tell)
             throws IOException, InterruptedException {
         this.processes = processes;
@@ -135,7 +139,11 @@ final class LocalCluster {
                 "taskmanager.resource-id=" + name));
     }
 
-    /** Replaces processes that died. @throws IOException if they die again and again */
+    /**
+     * Replaces processes that died.
+     *
+     * @throws IOException if they die again and again
+     */
     void keep() throws IOException {
         if (!keeper.isAlive()) {
             requireFew();

@@ -70,7 +70,13 @@ final class PacketFileSource implements Source<Tuple2<Long, byte[]>, PacketFileS
         return new RestsForm(new RestForm(this));
     }
 
-    /** What is to be read. @param part file that is next @param at byte in it @param count packets before */
+    /**
+     * What is to be read.
+     *
+     * @param part file that is next
+     * @param at byte in it
+     * @param count packets before
+     */
     record Rest(PacketFileSource source, int part, long at, long count) implements IteratorSourceSplit<Tuple2<Long, byte[]>, Packets> {
 
         @Override

@@ -28,7 +28,11 @@ final class Processes implements AutoCloseable {
         return logs.resolve(name + ".log");
     }
 
-    /** Starts one. @param options of Java and the class path, main class and its arguments */
+    /**
+     * Starts one.
+     *
+     * @param options of Java and the class path, main class and its arguments
+     */
     synchronized Process start(String name, List<String> options) throws IOException {
         if (closed) {
             throw new IOException("the run was stopped");

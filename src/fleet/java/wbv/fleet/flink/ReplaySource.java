@@ -38,7 +38,10 @@ final class ReplaySource implements Source<Tuple2<Long, byte[]>, ReplaySource.Bl
     private final int blocks;
     private transient Replay replay;
 
-    /** @param order {@link FleetOrder#bytes} @param blocks that seats are divided into */
+    /**
+     * @param order {@link FleetOrder#bytes}
+     * @param blocks that seats are divided into
+     */
     ReplaySource(byte[] order, int blocks) {
         this.order = order;
         this.blocks = blocks;
@@ -91,8 +94,11 @@ final class ReplaySource implements Source<Tuple2<Long, byte[]>, ReplaySource.Bl
     /**
      * Seats and where their replay stands.
      *
-     * @param from  first seat @param to behind the last
-     * @param round of the next packet @param seat of it @param given packets of this seat and round that were given before
+     * @param from  first seat
+     * @param to behind the last
+     * @param round of the next packet
+     * @param seat of it
+     * @param given packets of this seat and round that were given before
      */
     record Block(ReplaySource source, int from, int to, int round, int seat, int given)
             implements IteratorSourceSplit<Tuple2<Long, byte[]>, Packets> {

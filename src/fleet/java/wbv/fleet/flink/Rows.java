@@ -47,7 +47,13 @@ final class Rows {
         return row.substring(row.indexOf(',', row.indexOf(',') + 1) + 1);
     }
 
-    /** A row of a table that may be told again. @param number of the table @param revision of it @param row without its end */
+    /**
+     * A row of a table that may be told again.
+     *
+     * @param number of the table
+     * @param revision of it
+     * @param row without its end
+     */
     static String revised(long number, int revision, int place, String row) {
         return number + "," + revision + "," + place + "," + row;
     }

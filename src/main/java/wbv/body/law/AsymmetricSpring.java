@@ -3,7 +3,11 @@ package wbv.body.law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 
-/** A spring stiffer or softer in compression: ratio k r where r &lt; 0. @param ratio share of k added in compression, &gt; -1 */
+/**
+ * A spring stiffer or softer in compression: ratio k r where r &lt; 0.
+ *
+ * @param ratio share of k added in compression, &gt; -1
+ */
 public record AsymmetricSpring(@Key("compression_ratio") double ratio) implements Law {
     public AsymmetricSpring {
         Check.above("ratio of added compression stiffness", "1", ratio, -1);

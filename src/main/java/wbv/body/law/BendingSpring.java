@@ -6,7 +6,8 @@ import wbv.body.number.Key;
 /**
  * A spring stiffer or softer in compression whose stiffness changes over a width instead of at once.
  *
- * @param ratio share of k added far in compression, &gt; -1 @param bend deflection over which it changes [m], &gt; 0
+ * @param ratio share of k added far in compression, &gt; -1
+ * @param bend deflection over which it changes [m], &gt; 0
  */
 public record BendingSpring(@Key("compression_ratio") double ratio, @Key("bend_m") double bend) implements Law {
     public BendingSpring {

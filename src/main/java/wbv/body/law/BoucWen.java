@@ -7,7 +7,8 @@ import wbv.body.number.Key;
  * A share of the link's spring is elastoplastic (Bouc 1967, Wen 1976, with exponent 1 and β = γ = 1/2): share k (z - r) where
  * z follows r until it yields. Memory is z [m].
  *
- * @param share part of k that is hysteretic, 0 to 1 @param yield deflection at which it yields [m], &gt; 0
+ * @param share part of k that is hysteretic, 0 to 1
+ * @param yield deflection at which it yields [m], &gt; 0
  */
 public record BoucWen(@Key("share") double share, @Key("yield_m") double yield) implements Law {
     public BoucWen {

@@ -7,7 +7,9 @@ import wbv.body.number.Key;
  * Dry friction with elastic bristles and a Stribeck curve (Canudas de Wit, Olsson, Åström, Lischinsky 1995): memory is the
  * bristle deflection [m].
  *
- * @param friction kinetic friction [N] @param breakaway static friction [N] @param stribeck Stribeck velocity [m/s]
+ * @param friction kinetic friction [N]
+ * @param breakaway static friction [N]
+ * @param stribeck Stribeck velocity [m/s]
  * @param bristle bristle stiffness [N/m]
  */
 public record BristleFriction(@Key("friction_N") double friction, @Key("breakaway_N") double breakaway,

@@ -3,7 +3,13 @@ package wbv.body.law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 
-/** A stop beyond a free travel. @param stop stiffness of the stop [N/m], &gt; 0 @param gap free travel [m], &gt;= 0 @param side where */
+/**
+ * A stop beyond a free travel.
+ *
+ * @param stop stiffness of the stop [N/m], &gt; 0
+ * @param gap free travel [m], &gt;= 0
+ * @param side where
+ */
 public record BumpStop(@Key("stop_stiffness_N_per_m") double stop, @Key("gap_m") double gap, @Key("side") Law.Side side) implements Law {
     public BumpStop {
         Check.positive("stop stiffness", "N/m", stop);

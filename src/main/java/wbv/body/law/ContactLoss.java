@@ -3,7 +3,11 @@ package wbv.body.law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 
-/** The link can push but not pull more than its preload: contact is lost beyond. @param preload static force [N], &gt;= 0 */
+/**
+ * The link can push but not pull more than its preload: contact is lost beyond.
+ *
+ * @param preload static force [N], &gt;= 0
+ */
 public record ContactLoss(@Key("preload_N") double preload) implements Law {
     public ContactLoss {
         Check.notNegative("preload", "N", preload);

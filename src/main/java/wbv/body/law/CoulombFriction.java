@@ -4,7 +4,10 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 
 /**
- * Dry friction F tanh(v / v0). @param friction F [N], &gt;= 0 @param transition velocity v0 below which it is viscous [m/s], &gt; 0
+ * Dry friction F tanh(v / v0).
+ *
+ * @param friction F [N], &gt;= 0
+ * @param transition velocity v0 below which it is viscous [m/s], &gt; 0
  */
 public record CoulombFriction(@Key("friction_N") double friction, @Key("transition_m_per_s") double transition) implements Law {
     public CoulombFriction {

@@ -9,8 +9,10 @@ import wbv.body.number.Key;
  * travel between ±{@code travel}; u = |z| / travel is how far that side has engaged, and the force is
  * F (e^(growth u) - 1) / (e^growth - 1). A great growth is play: no force over most of the travel.
  *
- * @param extension friction while the link extends [N], &gt;= 0 @param compression while it shortens [N], &gt;= 0
- * @param travel from disengaged to fully engaged [m], &gt; 0 @param growth [1], &gt; 0
+ * @param extension friction while the link extends [N], &gt;= 0
+ * @param compression while it shortens [N], &gt;= 0
+ * @param travel from disengaged to fully engaged [m], &gt; 0
+ * @param growth [1], &gt; 0
  */
 public record EngagingFriction(@Key("extension_friction_N") double extension, @Key("compression_friction_N") double compression,
         @Key("engagement_m") double travel, @Key("growth") double growth) implements Law {

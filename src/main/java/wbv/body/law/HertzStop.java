@@ -4,9 +4,12 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 
 /**
- * A rubber stop beyond a free travel: force over penetration to the power 3/2 (Hertz 1881). @param stop [N/m^1.5], &gt; 0
+ * A rubber stop beyond a free travel: force over penetration to the power 3/2 (Hertz 1881).
  *
- * @param gap free travel [m], &gt;= 0 @param side where
+ * @param stop [N/m^1.5], &gt; 0
+ *
+ * @param gap free travel [m], &gt;= 0
+ * @param side where
  */
 public record HertzStop(@Key("stop_N_per_m1_5") double stop, @Key("gap_m") double gap, @Key("side") Law.Side side) implements Law {
     public HertzStop {

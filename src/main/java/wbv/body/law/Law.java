@@ -20,7 +20,7 @@ public sealed interface Law permits
     /** Force beside the linear one at the end of a step [N]. */
     double force(LinkMotion motion);
 
-    /** The memory at the end of a step; a law without memory keeps 0. */
+    /** The memory at the end of a step, in a unit of the law's own; a law without memory keeps 0. */
     default double remember(LinkMotion motion) {
         return 0;
     }
@@ -33,7 +33,8 @@ public sealed interface Law permits
     /**
      * Force over displacement at a frequency, for a linear law.
      *
-     * @param omega angular frequency [rad/s] @param out element 0 the real, element 1 the imaginary part [N/m]. Modified.
+     * @param omega angular frequency [rad/s]
+     * @param out two long: the real, then the imaginary part [N/m]. Modified.
      * @throws IllegalStateException if the law is not linear
      */
     default void dynamicStiffness(double omega, double[] out) {
@@ -45,7 +46,11 @@ public sealed interface Law permits
         return false;
     }
 
-    /** The memory with which the law starts where it is known to carry a force at rest; 0 where it has none. @param force [N] */
+    /**
+     * The memory, in the law's own unit, with which it starts where it is known to carry a force at rest; 0 where it has none.
+     *
+     * @param force [N]
+     */
     default double memoryOf(double force) {
         return 0;
     }
@@ -64,11 +69,14 @@ public sealed interface Law permits
     }
 
     /**
-     * The force along a given motion of the link.
+     * The force along a given motion of the link, by sample [N]; nothing at the first.
      *
-     * @param displacement by sample [m]. Not modified. @param velocity by sample [m/s]. Not modified.
-     * @param stiffness of the link [N/m] @param damping of the link [N s/m] @param step time between samples [s]
-     * @param modulation by sample; empty where nothing modulates. Not modified.
+     * @param displacement by sample [m]. Not modified.
+     * @param velocity by sample [m/s]. Not modified.
+     * @param stiffness of the link [N/m]
+     * @param damping of the link [N s/m]
+     * @param step time between samples [s]
+     * @param modulation by sample, in the modulator's unit; empty where nothing modulates. Not modified.
      */
     default double[] series(double[] displacement, double[] velocity, double stiffness, double damping, double step, double[] modulation) {
         double[] out = new double[displacement.length];

@@ -51,7 +51,13 @@ public final class LawSlopes {
 
     /** Fills in the motion of a law some time before a sample. */
     public interface Past {
-        /** Sets a motion to what it was. @param law index of the law that asks @param index of the sample @param ago time before it [s] */
+        /**
+         * Sets a motion to what it was.
+         *
+         * @param law index of the law that asks
+         * @param index of the sample
+         * @param ago time before it [s]
+         */
         void recall(LinkMotion motion, int law, int index, double ago);
     }
 
@@ -96,7 +102,8 @@ public final class LawSlopes {
     }
 
     /**
-     * What {@link Law#memoryOf} changes by: element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
+     * What {@link Law#memoryOf} changes by, in its unit per that of what it changes with: as long as {@link #OWN} and the law's own
+     * numbers, element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
      *
      * @param start force from which the memory starts [N]
      */
@@ -114,7 +121,12 @@ public final class LawSlopes {
         return higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
     }
 
-    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param past for the late motion */
+    /**
+     * Fills {@link #force} and {@link #memory} at a motion.
+     *
+     * @param m restored on return.
+     * @param past for the late motion
+     */
     public void take(LinkMotion m, Past past, int slot, int index) {
         double r = m.displacement;
         m.displacement = r + DISPLACEMENT;

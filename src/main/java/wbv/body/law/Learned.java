@@ -12,7 +12,7 @@ public sealed interface Learned extends Law
         return MECHANISM;
     }
 
-    /** What multiplies the shape, in {@link #unit}. */
+    /** What multiplies the shape, in its own unit, {@link #unit}. */
     double coefficient();
 
     /** Unit of the coefficient. */

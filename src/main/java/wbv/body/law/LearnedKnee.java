@@ -10,8 +10,10 @@ import wbv.body.number.Units;
 /**
  * A term of a law that was learned: it begins where the deflection or the speed goes beyond a knee, on one side or on both.
  *
- * @param of          {@code r} or {@code v} @param side where it works
- * @param modulator   what it is multiplied by @param coefficient slope beyond the knee [N/m or N s/m, per the modulator's unit]
+ * @param of          {@code r} or {@code v}
+ * @param side where it works
+ * @param modulator   what it is multiplied by
+ * @param coefficient slope beyond the knee [N/m or N s/m, per the modulator's unit]
  * @param knee        where it begins [m or m/s], &gt; 0
  */
 public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key("modulator") Modulator modulator,

@@ -11,7 +11,9 @@ import wbv.body.number.Units;
  * A term of a law that was learned, with a modulator that works only so far: coefficient · shape · limit tanh(modulator/limit). Beyond what
  * was recorded it goes nowhere, where the modulator itself might turn a stiffness over.
  *
- * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
+ * @param shape what it goes by
+ * @param modulator what it is multiplied by
+ * @param coefficient [N per the unit of both]
  * @param limit of the modulator, in its unit, &gt; 0
  */
 public record LearnedLimited(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,

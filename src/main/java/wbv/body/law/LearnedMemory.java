@@ -10,8 +10,11 @@ import wbv.body.number.Units;
 /**
  * A term of a law that was learned, with a memory: y' = (of - y)/τ, and the force is coefficient · y · shape · modulator. Memory is y.
  *
- * @param of          what is remembered, of the motion @param shape what the memory is multiplied by; {@link Shape#ONE} for nothing
- * @param modulator   what both are multiplied by @param coefficient [N per the unit of all three] @param memory τ [s], &gt; 0
+ * @param of          what is remembered, of the motion
+ * @param shape what the memory is multiplied by; {@link Shape#ONE} for nothing
+ * @param modulator   what both are multiplied by
+ * @param coefficient [N per the unit of all three]
+ * @param memory τ [s], &gt; 0
  */
 public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key("modulator") Modulator modulator,
         @Key("coefficient_N") double coefficient,

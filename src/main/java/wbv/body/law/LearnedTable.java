@@ -9,12 +9,14 @@ import wbv.body.number.Shape;
  * A term of a law that was learned as a table, where no formula carries it: forces at six deflections or speeds, three to either side of
  * none, where it is nothing; straight lines between them, and beyond the last as much as there.
  *
- * @param over {@code r} or {@code v} @param step how far the six are apart [m or m/s], &gt; 0
+ * @param over {@code r} or {@code v}
+ * @param step how far the six are apart [m or m/s], &gt; 0
  * @param third force three steps on the side of compression [N]
- * @param second two steps
- * @param first one step
- * @param next one step in extension
- * @param further two steps @param furthest three steps
+ * @param second two steps [N]
+ * @param first one step [N]
+ * @param next one step in extension [N]
+ * @param further two steps [N]
+ * @param furthest three steps [N]
  */
 public record LearnedTable(@Key("over") Shape over, @Key("step") double step, @Key("at_minus_3_N") double third,
         @Key("at_minus_2_N") double second,

@@ -9,7 +9,9 @@ import wbv.body.number.Units;
 /**
  * A term of a law that was learned from a recording: coefficient · shape · modulator.
  *
- * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
+ * @param shape what it goes by
+ * @param modulator what it is multiplied by
+ * @param coefficient [N per the unit of both]
  */
 public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient)
         implements Learned {

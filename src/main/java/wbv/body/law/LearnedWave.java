@@ -9,7 +9,10 @@ import wbv.body.number.Units;
 /**
  * A term of a law that was learned and comes and goes, as with breath: (cosine cos 2πft + sine sin 2πft) · shape.
  *
- * @param shape what it goes by @param cosine [N per the shape's unit] @param sine likewise @param frequency f [Hz], &gt; 0
+ * @param shape what it goes by
+ * @param cosine [N per the shape's unit]
+ * @param sine likewise
+ * @param frequency f [Hz], &gt; 0
  */
 public record LearnedWave(@Key("shape") Shape shape, @Key("cosine_N") double cosine, @Key("sine_N") double sine,
         @Key("frequency_hz") double frequency)

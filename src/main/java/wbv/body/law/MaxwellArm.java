@@ -7,7 +7,8 @@ import wbv.body.number.Key;
  * A spring and a dashpot in series beside the link. Memory is the arm's force [N].
  * Thesis: Eq. 2-44.
  *
- * @param arm stiffness of the arm's spring [N/m], &gt; 0 @param relaxation time in which a held force decays to 1/e [s], &gt; 0
+ * @param arm stiffness of the arm's spring [N/m], &gt; 0
+ * @param relaxation time in which a held force decays to 1/e [s], &gt; 0
  */
 public record MaxwellArm(@Key("arm_stiffness_N_per_m") double arm, @Key("relaxation_s") double relaxation) implements Law {
     public MaxwellArm {

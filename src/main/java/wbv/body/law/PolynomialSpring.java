@@ -6,7 +6,8 @@ import wbv.body.number.Key;
 /**
  * A spring that stiffens with deflection, more so one way: k2 r² + k3 r³.
  *
- * @param quadratic k2 [N/m²] @param cubic k3 [N/m³], &gt;= 0, or the quadratic term would pull the ends apart
+ * @param quadratic k2 [N/m²]
+ * @param cubic k3 [N/m³], &gt;= 0, or the quadratic term would pull the ends apart
  */
 public record PolynomialSpring(@Key("k2_N_per_m2") double quadratic, @Key("k3_N_per_m3") double cubic) implements Law {
     public PolynomialSpring {

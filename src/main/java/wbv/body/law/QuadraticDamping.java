@@ -3,7 +3,11 @@ package wbv.body.law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 
-/** Quadratic damping c2 v |v|. @param quadratic [N s²/m²] */
+/**
+ * Quadratic damping c2 v |v|.
+ *
+ * @param quadratic [N s²/m²]
+ */
 public record QuadraticDamping(@Key("c2_Ns2_per_m2") double quadratic) implements Law {
     public QuadraticDamping {
         Check.finite("quadratic damping", "N s²/m²", quadratic);

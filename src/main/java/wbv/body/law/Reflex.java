@@ -6,7 +6,9 @@ import wbv.body.number.Key;
 /**
  * Muscle that answers the link's motion late: force at t from displacement and velocity at t - delay.
  *
- * @param stiffness [N/m] @param damping [N s/m] @param delay [s], &gt; 0
+ * @param stiffness [N/m]
+ * @param damping [N s/m]
+ * @param delay [s], &gt; 0
  */
 public record Reflex(@Key("reflex_N_per_m") double stiffness, @Key("reflex_Ns_per_m") double damping,
         @Key("delay_s") double delay) implements Law {

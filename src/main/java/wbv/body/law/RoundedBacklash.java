@@ -6,7 +6,8 @@ import wbv.body.number.Key;
 /**
  * Play whose ends are soft: the spring takes hold over the width of the edge instead of at once, and what is slack damps less.
  *
- * @param gap half the play [m], &gt;= 0 @param edge width over which the spring takes hold [m], &gt; 0
+ * @param gap half the play [m], &gt;= 0
+ * @param edge width over which the spring takes hold [m], &gt; 0
  * @param slack part of the link's damping that goes with its stiffness, 0 to 1
  */
 public record RoundedBacklash(@Key("gap_m") double gap, @Key("edge_m") double edge, @Key("slack_damping") double slack) implements Law {

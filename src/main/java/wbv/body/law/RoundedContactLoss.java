@@ -6,7 +6,8 @@ import wbv.body.number.Key;
 /**
  * Contact that is lost, and found again, over a range of force instead of at once, as a soft seat lets go.
  *
- * @param preload static force [N], &gt;= 0 @param edge range of force over which it lets go [N], &gt; 0
+ * @param preload static force [N], &gt;= 0
+ * @param edge range of force over which it lets go [N], &gt; 0
  */
 public record RoundedContactLoss(@Key("preload_N") double preload, @Key("edge_N") double edge) implements Law {
     public RoundedContactLoss {

@@ -3,7 +3,11 @@ package wbv.body.law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 
-/** A spring that saturates: k r becomes k r / sqrt(1 + (r/knee)²). @param knee where softening sets in [m], &gt; 0 */
+/**
+ * A spring that saturates: k r becomes k r / sqrt(1 + (r/knee)²).
+ *
+ * @param knee where softening sets in [m], &gt; 0
+ */
 public record SaturatingSpring(@Key("knee_m") double knee) implements Law {
     public SaturatingSpring {
         Check.positive("knee", "m", knee);

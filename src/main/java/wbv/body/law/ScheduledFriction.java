@@ -8,7 +8,12 @@ import wbv.body.number.Modulator;
  * Dry friction F(u) tanh(v / v0) whose size goes by a measured channel, as the yield force of a damper goes by the voltage at its coil:
  * {@code F = F0 + a u + b u² + c u³ + d u⁴}, at least 0.
  *
- * @param by u, a {@link Modulator.Level} @param middle F0 [N] @param linear a [N] @param square b [N] @param cube c [N] @param fourth d [N]
+ * @param by u, a {@link Modulator.Level}
+ * @param middle F0 [N]
+ * @param linear a [N]
+ * @param square b [N]
+ * @param cube c [N]
+ * @param fourth d [N]
  * @param transition velocity v0 below which it is viscous [m/s], &gt; 0
  */
 public record ScheduledFriction(@Key("modulator") Modulator by, @Key("middle_N") double middle, @Key("linear_N") double linear,

@@ -7,7 +7,8 @@ import wbv.body.number.Key;
  * Stiffness and damping settle from their values at the start to others, as what creeps or warms does: they change with time t as
  * {@code 1 + change (1 - e^(-t/τ))}.
  *
- * @param change       of the stiffness in the end, as a part of that at the start, &gt;= -0.97 @param settling τ [s], &gt; 0
+ * @param change       of the stiffness in the end, as a part of that at the start [1], &gt;= -0.97
+ * @param settling τ [s], &gt; 0
  * @param dampingShare part of the change that the damping follows, 0 to 2; damping keeps at least 3 % of its value
  */
 public record Settling(@Key("settled_change") double change, @Key("settling_s") double settling, @Key("damping_share") double dampingShare)

@@ -7,7 +7,9 @@ import wbv.body.number.Key;
  * Stiffness and damping drift with time t as 1 + g, g = linear t + quadratic t² (t in units of 100 s), never below 3 % of the
  * linear value.
  *
- * @param linear [1/(100 s)] @param quadratic [1/(100 s)²] @param dampingShare part of g that the damping follows, 0 to 2
+ * @param linear [1/(100 s)]
+ * @param quadratic [1/(100 s)²]
+ * @param dampingShare part of g that the damping follows, 0 to 2
  */
 public record SlowDrift(@Key("linear_per_100s") double linear, @Key("quadratic_per_100s2") double quadratic,
         @Key("damping_share") double dampingShare) implements Law {

@@ -4,7 +4,10 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 
 /**
- * Stiffness and damping change at one moment. @param time when [s] @param stiffnessFactor after over before, &gt; 0
+ * Stiffness and damping change at one moment.
+ *
+ * @param time when [s]
+ * @param stiffnessFactor after over before, &gt; 0
  * @param dampingFactor likewise, &gt; 0
  */
 public record StepChange(@Key("time_s") double time, @Key("stiffness_factor") double stiffnessFactor,

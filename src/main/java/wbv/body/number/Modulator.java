@@ -51,19 +51,28 @@ public sealed interface Modulator {
      * Where a channel stands in a range, -1 at its low end and 1 at its high end, and no farther beyond: as it was recorded, nothing
      * removed, straight between its samples.
      *
-     * @param low end of the range, in the channel's unit @param high likewise, above it
+     * @param low end of the range, in the channel's unit
+     * @param high likewise, above it
      */
     record Level(Channel channel, double low, double high) implements Modulator {
         public Level {
             Check.above("upper end of the range of " + channel, channel.quantity().unit(), high, low);
         }
 
-        /** The channel's value there. @param u from -1 to 1 */
+        /**
+         * The channel's value there, in the channel's unit.
+         *
+         * @param u place in the range [1], from -1 to 1
+         */
         public double value(double u) {
             return ((1 - u) * low + (1 + u) * high) / 2;
         }
 
-        /** Where a value of the channel lies in the range: -1 at or below its lower end, 1 at or above its upper. */
+        /**
+         * Where a value of the channel lies in the range [1]: -1 at or below its lower end, 1 at or above its upper.
+         *
+         * @param value in the channel's unit
+         */
         public double of(double value) {
             return Math.max(-1, Math.min(1, (2 * value - low - high) / (high - low)));
         }
@@ -86,7 +95,11 @@ public sealed interface Modulator {
         }
     }
 
-    /** How far something has turned. @param rate measured angular rate */
+    /**
+     * How far something has turned.
+     *
+     * @param rate measured angular rate
+     */
     record Angle(Channel rate) implements Modulator {
         public Angle {
             require(rate, Quantity.ANGULAR_RATE, "angular rate");
@@ -103,7 +116,12 @@ public sealed interface Modulator {
         }
     }
 
-    /** How far one place has moved against another. @param upper acceleration of the one @param lower of the other, along the same axis */
+    /**
+     * How far one place has moved against another.
+     *
+     * @param upper acceleration of the one
+     * @param lower of the other, along the same axis
+     */
     record Lean(Channel upper, Channel lower) implements Modulator {
         public Lean {
             require(upper, Quantity.ACCELERATION, "acceleration");
@@ -154,7 +172,11 @@ public sealed interface Modulator {
     /** What is taken of another link. */
     enum Of { LOAD, DEFLECTION, SPEED }
 
-    /** Another link's motion, or the force that it carries beside its static load, all positive in extension. @param link its index */
+    /**
+     * Another link's motion, or the force that it carries beside its static load, all positive in extension.
+     *
+     * @param link its index
+     */
     record OtherLink(Of of, int link) implements Modulator {
         public OtherLink {
             if (link < 0) {
@@ -190,7 +212,11 @@ public sealed interface Modulator {
             return whole.unit();
         }
 
-        /** The part, &gt;= 0, of a value of the whole. */
+        /**
+         * The part, &gt;= 0, of a value of the whole, in its unit.
+         *
+         * @param value in the unit of the whole
+         */
         public double of(double value) {
             return part == Part.MAGNITUDE ? Math.abs(value) : Math.max(0, part == Part.POSITIVE ? value : -value);
         }
@@ -206,7 +232,11 @@ public sealed interface Modulator {
         }
     }
 
-    /** Reads what {@code toString} writes. @throws IllegalArgumentException if it is none: the message says what is known */
+    /**
+     * Reads what {@code toString} writes.
+     *
+     * @throws IllegalArgumentException if it is none: the message says what is known
+     */
     static Modulator parse(String text) {
         if (text.equals("1")) {
             return NONE;

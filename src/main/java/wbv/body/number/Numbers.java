@@ -22,13 +22,17 @@ public final class Numbers {
         return keys;
     }
 
-    /** The numeric components of a record. */
+    /** The numeric components of a record, by component, each in its own unit. */
     public static double[] values(Record record) {
         return java.util.Arrays.stream(record.getClass().getRecordComponents()).filter(c -> c.getType() == double.class)
                 .mapToDouble(c -> (Double) read(record, c)).toArray();
     }
 
-    /** The same record with other numbers. @param values one for each numeric component. Not modified. */
+    /**
+     * The same record with other numbers.
+     *
+     * @param values one for each numeric component, in its own unit. Not modified.
+     */
     public static <T extends Record> T with(T record, double[] values) {
         RecordComponent[] components = record.getClass().getRecordComponents();
         Class<?>[] types = new Class<?>[components.length];

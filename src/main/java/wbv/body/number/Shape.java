@@ -7,7 +7,8 @@ import java.util.stream.Collectors;
 /**
  * What a term of a learned law goes by: a power of a link's deflection r times one of its speed v, such as {@code |v|v} or {@code r^2 v}.
  *
- * @param deflection what it takes of r [m] @param speed what it takes of v [m/s]
+ * @param deflection what it takes of r [m]
+ * @param speed what it takes of v [m/s]
  */
 public record Shape(Part deflection, Part speed) {
 
@@ -66,7 +67,12 @@ public record Shape(Part deflection, Part speed) {
         }
     }
 
-    /** Its value. @param r deflection [m] @param v speed [m/s] */
+    /**
+     * Its value, in its own unit, {@link #unit}.
+     *
+     * @param r deflection [m]
+     * @param v speed [m/s]
+     */
     public double of(double r, double v) {
         return (deflection == Part.ONE ? 1 : deflection.of(r, NO_DEFLECTION)) * (speed == Part.ONE ? 1 : speed.of(v, NO_SPEED));
     }
@@ -76,7 +82,11 @@ public record Shape(Part deflection, Part speed) {
         return equals(DEFLECTION) || equals(SPEED);
     }
 
-    /** Reads {@code |v|v}, {@code r^2 v} or {@code 1}. @throws IllegalArgumentException if it is none: the message says what is known */
+    /**
+     * Reads {@code |v|v}, {@code r^2 v} or {@code 1}.
+     *
+     * @throws IllegalArgumentException if it is none: the message says what is known
+     */
     public static Shape parse(String text) {
         Shape out = ONE;
         for (String word : text.equals("1") ? new String[0] : text.split(" ")) {

@@ -60,7 +60,11 @@ final class BeyondFirstOrder {
         return moving[body < 0 ? plane.bodies().size() : body];
     }
 
-    /** Takes a motion, whose forces may then be asked for. @param motion against the base, spectra by coordinate. Not modified. */
+    /**
+     * Takes a motion, whose forces may then be asked for.
+     *
+     * @param motion against the base, spectra by coordinate. Not modified.
+     */
     void moves(double[][] motion) {
         for (int b = 0; b < plane.bodies().size(); b++) {
             Moving own = moving[b];
@@ -79,7 +83,11 @@ final class BeyondFirstOrder {
         }
     }
 
-    /** Takes its accelerations too, for readings. @param motion as in {@link #moves}. Not modified. */
+    /**
+     * Takes its accelerations too, for readings.
+     *
+     * @param motion as in {@link #moves}. Not modified.
+     */
     void accelerates(double[][] motion) {
         for (int b = 0; b < plane.bodies().size(); b++) {
             for (int i = 0; i < moving[b].acceleration.length; i++) {

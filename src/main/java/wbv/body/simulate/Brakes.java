@@ -116,7 +116,12 @@ final class Brakes {
                 : java.util.Optional.of(new Brakes(excitation, structure, stiffness, motions, inverse));
     }
 
-    /** Adds to q what a force on a body does from rest. @param force spectrum. Not modified. @param q by body. Modified. */
+    /**
+     * Adds to q what a force on a body does from rest.
+     *
+     * @param force spectrum. Not modified.
+     * @param q by body. Modified.
+     */
     void addForce(int body, double[] force, double factor, double[][] inverse, double[][] q) {
         double[] whole = force.clone();
         Spectra.add(whole, leadIn, first(force));
@@ -148,7 +153,11 @@ final class Brakes {
         return Math.abs(sum - (to == body ? 1 : 0)) < 1e-12 ? to == body ? 1 : 0 : sum;
     }
 
-    /** Adds to q the motion from a momentum of a body at the first sample, along what no spring holds. @param momentum [N s] */
+    /**
+     * Adds to q the motion from a momentum of a body at the first sample, along what no spring holds.
+     *
+     * @param momentum [N s]
+     */
     void addLaunch(int body, double momentum, double[][] q) {
         int r = motions.length;
         double[] wanted = new double[3 * r];

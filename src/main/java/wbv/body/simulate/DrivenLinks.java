@@ -62,7 +62,12 @@ final class DrivenLinks implements Modulations.Links {
         }
     }
 
-    /** What the first law with memory carries where it starts. @param force [N] @param slope of it to each parameter */
+    /**
+     * What the first law with memory carries where it starts.
+     *
+     * @param force [N]
+     * @param slope of it to each parameter
+     */
     private record Carried(double force, double[] slope) {}
 
     private void linear(int l) {

@@ -31,8 +31,11 @@ final class ExactHold {
     /**
      * The step and its derivatives.
      *
-     * @param a  n by n. Not modified. @param b n by m. Not modified. @param h length of the step [s], &gt; 0
-     * @param da derivative of A to each parameter, n by n each. Not modified. @param db derivative of B likewise, n by m each
+     * @param a  n by n. Not modified.
+     * @param b n by m. Not modified.
+     * @param h length of the step [s], &gt; 0
+     * @param da derivative of A to each parameter, n by n each. Not modified.
+     * @param db derivative of B likewise, n by m each
      * @return element 0 is the step, element 1 + i its derivative to parameter i
      */
     static ExactHold[] of(DMatrixRMaj a, DMatrixRMaj b, double h, DMatrixRMaj[] da, DMatrixRMaj[] db) {

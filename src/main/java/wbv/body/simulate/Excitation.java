@@ -66,7 +66,7 @@ public final class Excitation {
      * The base's motion along one axis.
      *
      * @param rate   samples per second [Hz]
-     * @param base   acceleration of the base [m/s²], finite. Not modified.
+     * @param base   acceleration of the base by sample [m/s²], finite. Not modified.
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
@@ -76,7 +76,8 @@ public final class Excitation {
     /**
      * A base that moves along several axes.
      *
-     * @param base its accelerations, by axis and sample, finite. Not modified.
+     * @param rate samples per second [Hz]
+     * @param base its accelerations [m/s²], by axis and sample; about an axis [rad/s²]; finite. Not modified.
      * @param others likewise
      */
     public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
@@ -126,14 +127,20 @@ public final class Excitation {
     /**
      * Forces on bodies over a base at rest, with a finer free run than a base needs, since forces are held linear between samples.
      *
-     * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
+     * @param rate samples per second [Hz]
+     * @param forces by channel, all of one length, finite. Not modified.
      */
     public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
         return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(),
                 true);
     }
 
-    /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
+    /**
+     * A measured stroke that drives links.
+     *
+     * @param rate samples per second [Hz]
+     * @param others further channels by name. Not modified.
+     */
     public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
         return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke), false);
     }
@@ -169,7 +176,12 @@ public final class Excitation {
                 moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false);
     }
 
-    /** How the base moves along an axis. @param acceleration its spectrum @param track see {@link Excitation#track} */
+    /**
+     * How the base moves along an axis.
+     *
+     * @param acceleration its spectrum
+     * @param track see {@link Excitation#track}
+     */
     private record Moved(double[] acceleration, double[] track) {}
 
     /**
@@ -206,7 +218,11 @@ public final class Excitation {
         return new Moved(differentiated(levelled, order), track);
     }
 
-    /** How often what a sensor of a base reads is differentiated to be an acceleration. @throws DataFault if it tells no acceleration */
+    /**
+     * How often what a sensor of a base reads is differentiated to be an acceleration.
+     *
+     * @throws DataFault if it tells no acceleration
+     */
     public static int order(Quantity quantity) {
         return switch (quantity) {
             case ACCELERATION -> 0;
@@ -216,7 +232,11 @@ public final class Excitation {
         };
     }
 
-    /** Spectrum of a series' derivative. @param order 1 or 2 */
+    /**
+     * Spectrum of a series' derivative.
+     *
+     * @param order 1 or 2
+     */
     private double[] differentiated(double[] series, int order) {
         double[] x = spectrum(series);
         for (int times = 0; times < order; times++) {
@@ -238,11 +258,11 @@ public final class Excitation {
     }
 
     /**
-     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the
-     * polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight
-     * line.
+     * A series in its own unit with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are
+     * there takes the polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a
+     * longer one a straight line.
      *
-     * @param x Not modified.
+     * @param x a series of any unit, NaN in gaps. Not modified.
      */
     public static double[] bridged(double[] x) {
         boolean whole = true;
@@ -271,7 +291,13 @@ public final class Excitation {
         return from >= 0 && to <= x.length && java.util.stream.IntStream.range(from, to).noneMatch(i -> Double.isNaN(x[i]));
     }
 
-    /** Lagrange's polynomial through the samples on both sides of a gap. @param last before it @param next after it @param at in it */
+    /**
+     * Lagrange's polynomial through the samples on both sides of a gap.
+     *
+     * @param last before it
+     * @param next after it
+     * @param at in it
+     */
     private static double between(double[] x, int last, int next, int at) {
         int[] nodes = java.util.stream.IntStream.concat(java.util.stream.IntStream.rangeClosed(last - ABOUT + 1, last),
                 java.util.stream.IntStream.range(next, next + ABOUT)).toArray();
@@ -350,7 +376,7 @@ public final class Excitation {
         return samples;
     }
 
-    /** Angular frequency of each line [rad/s]. Not a copy. */
+    /** Angular frequency by line [rad/s]. Not a copy. */
     public double[] omega() {
         return omega;
     }
@@ -422,7 +448,11 @@ public final class Excitation {
         return new DataFault("the model needs the channel " + channel + ", which the recording lacks");
     }
 
-    /** Spectrum of another channel. Not a copy. @throws DataFault if the recording has no such channel */
+    /**
+     * Spectrum of another channel. Not a copy.
+     *
+     * @throws DataFault if the recording has no such channel
+     */
     double[] other(Channel channel) {
         double[] found = others.get(channel);
         if (found == null) {
@@ -431,22 +461,38 @@ public final class Excitation {
         return found;
     }
 
-    /** Spectrum of a series at the recording's rate. @param series Not modified. */
+    /**
+     * Spectrum of a series at the recording's rate, in the series' unit.
+     *
+     * @param series of any unit. Not modified.
+     */
     public double[] spectrum(double[] series) {
         return coarse.spectrum(series);
     }
 
-    /** Spectrum of a series at the free run's rate. @param series Not modified. */
+    /**
+     * Spectrum of a series at the free run's rate, in the series' unit.
+     *
+     * @param series of any unit. Not modified.
+     */
     public double[] spectrumOfFine(double[] series) {
         return fine.spectrum(series);
     }
 
-    /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
+    /**
+     * Spectrum of a force at the free run's rate, past the sensors' anti-alias filter.
+     *
+     * @param series Not modified.
+     */
     double[] spectrumOfForce(double[] series) {
         return filtered(spectrumOfFine(series));
     }
 
-    /** A spectrum past the sensors' anti-alias filter. @param spectrum Modified. */
+    /**
+     * A spectrum past the sensors' anti-alias filter.
+     *
+     * @param spectrum Modified.
+     */
     double[] filtered(double[] spectrum) {
         for (int i = 0; i < spectrum.length; i++) {
             spectrum[i] *= rollOff[i / 2];
@@ -454,12 +500,20 @@ public final class Excitation {
         return spectrum;
     }
 
-    /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
+    /**
+     * The series at the recording's rate, {@link #samples} long, in the spectrum's unit.
+     *
+     * @param spectrum of any unit. Not modified.
+     */
     public double[] series(double[] spectrum) {
         return coarse.series(spectrum);
     }
 
-    /** The series at the free run's rate, record only. @param spectrum Not modified. */
+    /**
+     * The series at the free run's rate, record only, in the spectrum's unit.
+     *
+     * @param spectrum of any unit. Not modified.
+     */
     public double[] fineSeries(double[] spectrum) {
         return fine.series(spectrum);
     }
@@ -480,7 +534,10 @@ public final class Excitation {
         return fineBase;
     }
 
-    /** A spectrum as a series for the free run: raised by what the first-order hold takes away, (x / sin x)². Not modified. */
+    /**
+     * A spectrum of any unit as a series in that unit for the free run: raised by what the first-order hold takes away, (x / sin x)². Not
+     * modified.
+     */
     public double[] held(double[] spectrum) {
         double[] raised = spectrum.clone();
         for (int k = 1; k < omega.length; k++) {

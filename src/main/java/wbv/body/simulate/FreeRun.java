@@ -138,7 +138,8 @@ public final class FreeRun {
      * @param force        force of each law [N], by law and sample
      * @param displacement of each law's link [m], by law and sample
      * @param velocity     of each law's link [m/s], by law and sample
-     * @param slope        derivative of each law force, by law, parameter and sample; empty without sensitivities
+     * @param slope        derivative of each law force [N per the parameter's unit], by law, parameter and sample; empty without
+     *                     sensitivities
      * @param diverged     first sample at which the motion left all bounds, -1 if it never did; from there everything is 0
      */
     public record Run(double[][] force, double[][] displacement, double[][] velocity, double[][][] slope, int diverged) {}
@@ -158,7 +159,12 @@ public final class FreeRun {
         return run(acceleration, bodyForce, sensitivities, new double[parameters][0][]);
     }
 
-    /** Runs from rest on a base that moves along one axis. @param acceleration [m/s²], by sample. Not modified. */
+    /**
+     * Runs from rest on a base that moves along one axis.
+     *
+     * @param acceleration [m/s²], by sample. Not modified.
+     * @param bodyForce [N], by body and sample; an empty array for none. Not modified.
+     */
     public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
         return run(new double[][] {acceleration}, bodyForce, sensitivities);
     }
@@ -166,9 +172,11 @@ public final class FreeRun {
     /**
      * Runs from rest, with the known forces depending on parameters too.
      *
-     * @param forceSlope derivative of the known force to each parameter, by parameter, body and sample; no bodies where there is
-     *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
-     *                   alone. Not modified.
+     * @param acceleration of the base [m/s²], by axis and sample. Not modified.
+     * @param bodyForce known force on each body [N], by body and sample; an empty array for none. Not modified.
+     * @param forceSlope derivative of the known force to each parameter [N per the parameter's unit], by parameter, body and sample; no
+     *                   bodies where there is none. May be longer than {@link #parameters}: the rest are parameters that act through the
+     *                   known force alone. Not modified.
      */
     public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
         int n = acceleration[0].length;
@@ -206,7 +214,12 @@ public final class FreeRun {
         return java.util.Arrays.stream(series).map(each -> new double[each.length][PARTS + 1]).toArray(double[][][]::new);
     }
 
-    /** A straight line over a step into its parts. @param series nothing where empty @param out Modified. */
+    /**
+     * A straight line over a step into its parts.
+     *
+     * @param series nothing where empty
+     * @param out Modified.
+     */
     private static void between(double[] series, int j, double[] out) {
         for (int k = 0; k <= PARTS && series.length > 0; k++) {
             out[k] = series[j] + (series[j + 1] - series[j]) * k / PARTS;
@@ -265,7 +278,11 @@ public final class FreeRun {
             begun = new double[m][forceSlope.length];
         }
 
-        /** A step, in parts where a force jumps in it. @param since time at which the run's own begins [s] */
+        /**
+         * A step, in parts where a force jumps in it.
+         *
+         * @param since time at which the run's own begins [s]
+         */
         void go(double[][] acceleration, double[][] bodyForce, double[][] modulation, int j, double since) {
             System.arraycopy(last, 0, before, 0, last.length);
             run.modulation = modulation;
@@ -373,7 +390,10 @@ public final class FreeRun {
         /**
          * Puts the impulse of a step's parts to its two ends, as near to each as it was.
          *
-         * @param parts with what they have had put to them @param begun value at the start @param ended at the end @param out Modified.
+         * @param parts with what they have had put to them
+         * @param begun value at the start
+         * @param ended at the end
+         * @param out Modified.
          */
         private void share(double[] parts, double begun, double ended, double[] out, int j) {
             double first = (parts[0] - begun / 2) / PARTS;

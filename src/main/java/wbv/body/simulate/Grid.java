@@ -30,7 +30,11 @@ final class Grid {
         return points;
     }
 
-    /** The series of the record alone, {@link #points} long. @param spectrum Not modified. */
+    /**
+     * The series of the record alone, {@link #points} long.
+     *
+     * @param spectrum Not modified.
+     */
     double[] series(double[] spectrum) {
         double[] out = Arrays.copyOf(dft.inverse(spectrum), points);
         if (factor > 1) {
@@ -41,7 +45,11 @@ final class Grid {
         return out;
     }
 
-    /** The lines of a series, after whose end is silence. @param series at most as long as the padded record. Not modified. */
+    /**
+     * The lines of a series, after whose end is silence.
+     *
+     * @param series at most as long as the padded record. Not modified.
+     */
     double[] spectrum(double[] series) {
         double[] all = dft.forward(Arrays.copyOf(series, padded));
         double[] out = new double[2 * lines];

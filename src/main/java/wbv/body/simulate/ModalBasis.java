@@ -53,12 +53,20 @@ final class ModalBasis {
         return sum;
     }
 
-    /** V⁻¹ M V. @param m Not modified. */
+    /**
+     * V⁻¹ M V.
+     *
+     * @param m Not modified.
+     */
     DMatrixRMaj within(DMatrixRMaj m) {
         return product(inverse, product(m, vectors));
     }
 
-    /** V⁻¹ M, what inputs do to y. @param m Not modified. */
+    /**
+     * V⁻¹ M, what inputs do to y.
+     *
+     * @param m Not modified.
+     */
     DMatrixRMaj into(DMatrixRMaj m) {
         return product(inverse, m);
     }

@@ -44,7 +44,10 @@ final class ModalStep {
     private final boolean paired;
     private final int[] bodies;
 
-    /** @param hold the step of the states themselves @param links of the laws */
+    /**
+     * @param hold the step of the states themselves
+     * @param links of the laws
+     */
     ModalStep(Structure structure, ModalBasis basis, ExactHold hold, int[] links) {
         this.basis = basis;
         states = 2 * structure.bodies();
@@ -100,10 +103,12 @@ final class ModalStep {
     /**
      * The state as kept at the end of a step.
      *
-     * @param y         at its start @param forces of the laws at its start. Not modified.
+     * @param y         at its start
+     * @param forces of the laws at its start. Not modified.
      * @param base      acceleration of the base [m/s²], by axis and sample
      * @param known forces on the bodies [N], by body and sample. Not modified.
-     * @param j         sample at its start @param out Modified.
+     * @param j         sample at its start
+     * @param out Modified.
      */
     void advance(double[] y, double[] forces, double[][] base, double[][] known, int j, double[] out) {
         for (int i = 0; i < states; i++) {
@@ -144,7 +149,11 @@ final class ModalStep {
         return entry[i];
     }
 
-    /** The state with what the laws' forces did in the last step. @param out Modified. */
+    /**
+     * The state with what the laws' forces did in the last step.
+     *
+     * @param out Modified.
+     */
     void whole(double[] y, double[] forces, double[] out) {
         System.arraycopy(y, 0, out, 0, states);
         for (int law = 0; law < own.length; law++) {
@@ -152,7 +161,11 @@ final class ModalStep {
         }
     }
 
-    /** The state as kept of a whole one. @param out Modified. */
+    /**
+     * The state as kept of a whole one.
+     *
+     * @param out Modified.
+     */
     void kept(double[] whole, double[] forces, double[] out) {
         System.arraycopy(whole, 0, out, 0, states);
         for (int law = 0; law < own.length; law++) {

@@ -71,7 +71,11 @@ public final class ModelResponse {
         return bins(lines);
     }
 
-    /** Multiplies by jω. @param lines Modified. */
+    /**
+     * Multiplies by jω.
+     *
+     * @param lines Modified.
+     */
     private void differentiate(double[] lines) {
         for (int k = 0; 2 * k < lines.length; k++) {
             double re = lines[2 * k];

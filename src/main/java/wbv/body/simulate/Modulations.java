@@ -31,7 +31,11 @@ final class Modulations {
         return laws.stream().anyMatch(at -> at.law().modulator().otherLink().isPresent()) ? ROUNDS : 0;
     }
 
-    /** By law; empty where nothing modulates. @param links asked only for a law that goes by another link */
+    /**
+     * By law; empty where nothing modulates.
+     *
+     * @param links asked only for a law that goes by another link
+     */
     double[][] of(List<LawAt> laws, Links links) {
         return laws.stream().map(at -> of(at.law().modulator(), links)).toArray(double[][]::new);
     }
@@ -84,7 +88,11 @@ final class Modulations {
         return excitation.spectrum(series);
     }
 
-    /** What is faster than a frequency [Hz]. @param spectrum Modified. */
+    /**
+     * What is faster than a frequency [Hz].
+     *
+     * @param spectrum Modified.
+     */
     private double[] above(double lowest, double[] spectrum) {
         for (int i = 0; i < spectrum.length; i++) {
             double u = Math.pow(excitation.omega()[i / 2] / (2 * Math.PI * lowest), 8);

@@ -23,7 +23,7 @@ public final class ModulatorSeries {
         this.assembly = assembly;
     }
 
-    /** By sample; empty for nothing. Not a copy. */
+    /** A modulator by sample, in the modulator's unit; empty for nothing. Not a copy. */
     public double[] of(Modulator modulator) {
         return known.computeIfAbsent(modulator, asked -> new Modulations(excitation).of(asked, new Modulations.Links() {
             @Override

@@ -27,7 +27,11 @@ final class MountMotion {
         this.step = step / parts;
     }
 
-    /** What the sensor reads, by sample. @param a acceleration of what it sits on [m/s²]. Not modified. */
+    /**
+     * What the sensor reads, by sample.
+     *
+     * @param a acceleration of what it sits on [m/s²]. Not modified.
+     */
     double[] reading(double[] a) {
         double[] out = new double[a.length];
         double x = 0;

@@ -140,7 +140,11 @@ final class Sensing {
         return out;
     }
 
-    /** What comes on top of the filtered reading. @param reading Modified and returned. */
+    /**
+     * What comes on top of the filtered reading.
+     *
+     * @param reading Modified and returned.
+     */
     private double[] add(SensorFault fault, double[] reading) {
         if (fault instanceof SensorFault.Bias bias) {
             double[] constant = new double[excitation.samples()];

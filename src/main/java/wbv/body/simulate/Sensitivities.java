@@ -18,7 +18,11 @@ public enum Sensitivities {
         return this != NONE;
     }
 
-    /** The first parameter to which there is a derivative. @param structure parameters of the structure, which come first */
+    /**
+     * The first parameter to which there is a derivative.
+     *
+     * @param structure parameters of the structure, which come first
+     */
     int from(int structure) {
         return this == OWN ? structure : 0;
     }

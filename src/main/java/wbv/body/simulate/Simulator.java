@@ -40,7 +40,7 @@ public final class Simulator {
         this.excitation = excitation;
     }
 
-    /** The outputs as series at the recording's rate, {@link Excitation#samples} long each. */
+    /** The outputs as series at the recording's rate, by output, each {@link Excitation#samples} long, in its own unit. */
     public double[][] outputs(Assembly assembly) {
         Response response = run(assembly, false);
         if (response.diverged()) {
@@ -52,15 +52,15 @@ public final class Simulator {
     /**
      * What a simulation gave.
      *
-     * @param outputs  spectrum by output
-     * @param slopes   derivative of each output to each parameter of {@link Assembly#values}: by parameter and output; those not asked for
-     *                 are empty
+     * @param outputs  spectrum by output, in its own unit
+     * @param slopes   derivative of each output to each parameter of {@link Assembly#values}, in the units of both: spectra by parameter
+     *                 and output; those not asked for are empty
      * @param forces   spectrum of the force of each law [N]
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
      * @param bends    what goes beyond small motions; empty where nothing does
-     * @param recorded part of each output that its sensor's other channels make, as they were recorded: late as they are; empty where they
-     *                 make none
+     * @param recorded part of each output that its sensor's other channels make, as spectra by output, in its own unit, as they were
+     *                 recorded: late as they are; empty where they make none
      */
     public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged,
             Optional<Bends> bends, double[][] recorded) {}
@@ -69,7 +69,7 @@ public final class Simulator {
      * What goes beyond small motions in a motion, hundredths of it: what it does to the bodies, and what sensors read of it.
      *
      * @param forces on the coordinates beside those of first order [N, N m], spectra
-     * @param readings spectra by output; empty where nothing. None copied
+     * @param readings spectra by output, in its own unit; empty where nothing. None copied
      */
     public record Bends(double[][] forces, double[][] readings) {}
 
@@ -124,9 +124,10 @@ public final class Simulator {
 
     /**
      * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by
-     * output.
+     * output, in its own unit.
      *
-     * @param axis along which @param as as which; the same for what it did
+     * @param axis along which
+     * @param as as which; the same for what it did
      */
     public double[][] ofAxis(Assembly assembly, int axis, int as) {
         return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as)))
@@ -211,8 +212,8 @@ public final class Simulator {
         /**
          * What the outputs make of a force in a link.
          *
-         * @param force at the free run's rate [N], pulling the link's ends together. Not modified.
-         * @return spectra by output
+         * @param force at the free run's rate, by sample [N], pulling the link's ends together. Not modified.
+         * @return spectra by output, in its own unit
          */
         public double[][] answer(int link, double[] force) {
             return run.answer(link, -1, excitation.spectrumOfForce(force), false);
@@ -222,18 +223,18 @@ public final class Simulator {
          * As {@link #answer}, of a force as a spectrum.
          *
          * @param force spectrum of one [N], pulling the link's ends together. Not modified.
-         * @return spectra by output
+         * @return spectra by output, in its own unit
          */
         public double[][] answerTo(int link, double[] force) {
             return run.answer(link, -1, force, false);
         }
 
-        /** What a force of 1 N, or a moment of 1 N m, in a link does to the outputs at every line, spectra by output. */
+        /** What a force of 1 N, or a moment of 1 N m, in a link does to the outputs at every line, spectra by output, in its own unit. */
         public double[][] ofLinkForce(int link) {
             return run.answer(link, -1, excitation.unit().baseSpectrum(), true);
         }
 
-        /** What a force of 1 N, or a moment of 1 N m, on a body does to the outputs at every line, spectra by output. */
+        /** What a force of 1 N, or a moment of 1 N m, on a body does to the outputs at every line, spectra by output, in its own unit. */
         public double[][] ofBodyForce(int body) {
             return run.answer(-1, body, excitation.unit().baseSpectrum(), true);
         }

@@ -166,7 +166,8 @@ final class SpectralResponse {
     /**
      * Adds to q what a force on a body does; from rest where no spring holds it.
      *
-     * @param force spectrum. Not modified. @param q by body. Modified.
+     * @param force spectrum. Not modified.
+     * @param q by body. Modified.
      */
     void addBodyForce(int body, double[] force, double factor, double[][] q) {
         if (brakes.isPresent()) {
@@ -184,7 +185,12 @@ final class SpectralResponse {
         }
     }
 
-    /** Adds to q what a body does that moves at the first sample. @param velocity [m/s] @param q by body. Modified. */
+    /**
+     * Adds to q what a body does that moves at the first sample.
+     *
+     * @param velocity [m/s]
+     * @param q by body. Modified.
+     */
     void addLaunch(int body, double velocity, double[][] q) {
         double[] blow = new double[2 * lines];
         for (int k = 0; k < lines; k++) {
@@ -200,7 +206,11 @@ final class SpectralResponse {
         brakes.ifPresent(each -> each.addLaunch(body, structure.mass()[body] * velocity, q));
     }
 
-    /** Adds to q what a force in a link does that pulls its ends together. @param force spectrum. Not modified. */
+    /**
+     * Adds to q what a force in a link does that pulls its ends together.
+     *
+     * @param force spectrum. Not modified.
+     */
     void addLinkForce(int link, double[] force, double[][] q) {
         Row row = structure.stretch(link);
         for (int i = 0; i < row.at().length; i++) {
@@ -208,7 +218,11 @@ final class SpectralResponse {
         }
     }
 
-    /** The relative displacement of a link, a new spectrum. @param q by body. Not modified. */
+    /**
+     * The relative displacement of a link, a new spectrum.
+     *
+     * @param q by body. Not modified.
+     */
     double[] stretch(int link, double[][] q) {
         return structure.stretch(link).of(q, 2 * lines);
     }

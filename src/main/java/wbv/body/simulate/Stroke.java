@@ -23,7 +23,7 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
      * A sample from which laws with memory know nothing of what was before.
      *
      * @param sample index
-     * @param force in each link there [N], NaN where it was not measured. Not copied
+     * @param force by link there [N], NaN where it was not measured. Not copied
      */
     public record Start(int sample, double[] force) {
         /** The force in a link [N]; NaN where it was not measured. */
@@ -44,8 +44,9 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
     /**
      * A position alone; its velocity by central differences.
      *
-     * @param position [m]. Not modified.
+     * @param position by sample [m]. Not modified.
      * @param step between samples [s]
+     * @param start force in each link at the first sample [N]
      */
     public static Stroke ofPosition(double[] position, double step, double... start) {
         int n = position.length;
@@ -61,8 +62,9 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
     /**
      * A velocity alone; its position by the trapezoidal rule from 0.
      *
-     * @param velocity [m/s]. Not modified.
+     * @param velocity by sample [m/s]. Not modified.
      * @param step between samples [s]
+     * @param start force in each link at the first sample [N]
      */
     public static Stroke ofVelocity(double[] velocity, double step, double... start) {
         double[] position = new double[velocity.length];

@@ -10,7 +10,11 @@ public final class Swing {
 
     private Swing() {}
 
-    /** Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it. @param omega [rad/s] */
+    /**
+     * Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it.
+     *
+     * @param omega [rad/s]
+     */
     static double passed(double omega) {
         double u = Math.pow(omega / CORNER, 8);
         return u / (1 + u);
@@ -19,9 +23,9 @@ public final class Swing {
     /**
      * Displacement against the base: u = hθ - (a + h s²θ) / (s² + 2ζω0 s + ω0²); above 0.6 Hz, as that of ends that are measured.
      *
-     * @param omega [rad/s]
-     * @param base spectrum of the base's acceleration a, real and imaginary parts in turn
-     * @param rate of its rate sθ. None is modified.
+     * @param omega by line [rad/s]
+     * @param base spectrum of the base's acceleration a [m/s²], real and imaginary parts in turn
+     * @param rate spectrum of its rate sθ [rad/s]. None is modified.
      * @return its spectrum [m]
      */
     public static double[] of(Drive.Swings swings, double[] omega, double[] base, double[] rate) {

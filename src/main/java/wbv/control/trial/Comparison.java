@@ -18,7 +18,8 @@ import wbv.signal.Segmentation;
  * Controllers beside each other on floors and sitters, at equal stroke: that which a continuous skyhook needs that is tuned to the least
  * SEAT of the middle sitter without reaching a stop.
  *
- * @param request what was asked @param floors by floor, in the order asked for
+ * @param request what was asked
+ * @param floors by floor, in the order asked for
  */
 public record Comparison(Request request, List<OnFloor> floors) {
 
@@ -62,8 +63,10 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * One floor.
      *
-     * @param floor       which @param skyhook tuning of the skyhook whose stroke all are given [N·s/m]
-     * @param sitters     by sitter @param transmissibility of each entrant's least SEAT on the first sitter, floor to seat pan
+     * @param floor       which
+     * @param skyhook tuning of the skyhook whose stroke all are given [N·s/m]
+     * @param sitters     by sitter
+     * @param transmissibility of each entrant's least SEAT on the first sitter, floor to seat pan
      */
     public record OnFloor(Floor floor, double skyhook, List<OnSitter> sitters, List<Transmissibility> transmissibility) {
 
@@ -87,7 +90,14 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
     }
 
-    /** One sitter on one floor. @param words who @param stroke that all are given, r.m.s. [m] @param fronts by entrant */
+    /**
+     * One sitter on one floor.
+     *
+     * @param words who
+     * @param mass [kg]
+     * @param stroke that all are given, r.m.s. [m]
+     * @param fronts by entrant
+     */
     public record OnSitter(String words, double mass, double stroke, List<Front> fronts) {
 
         /** What an entrant comes to with the stroke that all are given. */
@@ -105,12 +115,16 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * How much of the floor reaches the pan. Arrays are not copied.
      *
-     * @param frequency [Hz]
-     * @param modulus of seat pan over floor, NaN where the floor tells nothing
+     * @param frequency by line [Hz]
+     * @param modulus ratio of seat pan to floor, by line; NaN where the floor tells nothing
      */
     public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) {}
 
-    /** Runs it, one ride after the other. @param progress hears shares from 0 to 1 */
+    /**
+     * Runs it, one ride after the other.
+     *
+     * @param progress hears shares from 0 to 1
+     */
     public static Comparison run(Request request, DoubleConsumer progress) {
         List<OnFloor> floors = new ArrayList<>();
         List<Entrant> entrants = entrants(request);
@@ -238,8 +252,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
     /**
      * What knowing the sitter is worth at equal stroke.
      *
-     * @param fixed mean SEAT of the fixed controller
-     * @param scheduled how much less the scheduled one has
+     * @param fixed mean SEAT of the fixed controller [1]
+     * @param scheduled how much less the scheduled one has [1]
      * @param oracle likewise
      * @param rides that count
      */

@@ -58,7 +58,7 @@ public enum ControllerFamily {
         return knows ? List.of(Knowledge.values()) : List.of(Knowledge.FIXED);
     }
 
-    /** Values over which it is tuned, rising. */
+    /** Values over which it is tuned, in its own {@link #unit}, rising: a series. A copy. */
     public double[] tunings() {
         return tunings.clone();
     }

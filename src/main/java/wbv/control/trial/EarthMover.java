@@ -51,7 +51,7 @@ public enum EarthMover implements Floor {
         return machines;
     }
 
-    /** The SEAT value that a seat for the class must stay below; assumed. */
+    /** The SEAT value [1] that a seat for the class must stay below; assumed. */
     public double limit() {
         return limit;
     }

@@ -45,8 +45,10 @@ public record Endurance(Map<String, Case> cases) {
     /**
      * Rides with one fault.
      *
-     * @param rides how many @param unstable how many ended in numbers that no seat has @param worse how many had more than 1.25 times the
-     *              weighted acceleration of a passive seat of {@link OptimalSeat#RESERVE} @param worst greatest ratio to it
+     * @param rides how many
+     * @param unstable how many ended in numbers that no seat has
+     * @param worse how many had more than 1.25 times the weighted acceleration of a passive seat of {@link OptimalSeat#RESERVE}
+     * @param worst greatest ratio to it
      */
     public record Case(int rides, int unstable, int worse, double worst) {
 
@@ -59,7 +61,12 @@ public record Endurance(Map<String, Case> cases) {
         }
     }
 
-    /** Rides under faults drawn by seed. @param seeds number of rides, &gt;= 1 @param progress hears shares from 0 to 1 */
+    /**
+     * Rides under faults drawn by seed.
+     *
+     * @param seeds number of rides, &gt;= 1
+     * @param progress hears shares from 0 to 1
+     */
     public static Endurance run(SeatHardware hardware, int seeds, long first, DoubleConsumer progress) {
         Map<EarthMover, Maker> makers = new EnumMap<>(EarthMover.class);
         List<Subject> sitters = Sitters.first(20);

@@ -19,10 +19,18 @@ public record Faults(double loss, Optional<Silence> silence, double delay, Optio
     /** Sensors of a seat. */
     public enum Sensor { FLOOR, FRAME, DEFLECTION, SPRING, TRUNK }
 
-    /** A sensor that says nothing any more. @param from when [s] */
+    /**
+     * A sensor that says nothing any more.
+     *
+     * @param from when [s]
+     */
     public record Silence(Sensor sensor, double from) {}
 
-    /** Another sitter. @param at when [s] */
+    /**
+     * Another sitter.
+     *
+     * @param at when [s]
+     */
     public record Change(Subject to, double at) {}
 
     public Faults {

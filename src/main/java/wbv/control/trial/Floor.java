@@ -16,13 +16,18 @@ public sealed interface Floor permits EarthMover, RoadFloor {
     /** What it is, and where its numbers come from. */
     String description();
 
-    /** Power spectral density of the acceleration [(m/s²)²/Hz]. @param frequency [Hz], &gt; 0 */
+    /**
+     * Power spectral density of the acceleration [(m/s²)²/Hz].
+     *
+     * @param frequency [Hz], &gt; 0
+     */
     double density(double frequency);
 
     /**
      * One ride of it.
      *
-     * @param samples at {@value SuspendedPerson#RATE} Hz, &gt; 0 @return accelerations [m/s²]
+     * @param samples at {@value SuspendedPerson#RATE} Hz, &gt; 0
+     * @return accelerations by sample [m/s²]
      */
     default double[] ride(int samples, RandomGenerator random) {
         RealDft transform = new RealDft(RealDft.covering(Math.max(samples, 2)));

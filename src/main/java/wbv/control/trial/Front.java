@@ -8,21 +8,28 @@ import java.util.Optional;
 /**
  * What one controller makes of one ride, tuned from daring to careful: comfort over stroke.
  *
- * @param family    of the controller @param knowledge what it knows of the sitter @param points by rising tuning, one at least
+ * @param family    of the controller
+ * @param knowledge what it knows of the sitter
+ * @param points by rising tuning, one at least
  */
 public record Front(ControllerFamily family, Knowledge knowledge, List<Point> points) {
 
-    /** A ride with one tuning. @param tuning what was tuned to @param result what came of it */
+    /**
+     * A ride with one tuning.
+     *
+     * @param tuning what was tuned to, in the unit of the family
+     * @param result what came of it
+     */
     public record Point(double tuning, TrialResult result) {}
 
     /**
      * At a given stroke.
      *
-     * @param seat SEAT
-     * @param head the same of the head
+     * @param seat SEAT [1]
+     * @param head likewise, of the head
      * @param strokeRms [m]
      * @param strokeMost [m]
-     * @param stopHits mean number
+     * @param stopHits mean number of hits
      * @param power [W]
      * @param force of the actuator, r.m.s. [N]
      */
@@ -54,7 +61,8 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
     /**
      * The least SEAT with at most so much stroke, on straight lines between the points over the logarithm of the stroke.
      *
-     * @param strokeRms [m] @return empty if no point has so little stroke
+     * @param strokeRms [m]
+     * @return empty if no point has so little stroke
      */
     public Optional<AtStroke> at(double strokeRms) {
         List<TrialResult> sorted = points.stream().map(Point::result).sorted(Comparator.comparingDouble(TrialResult::strokeRms)).toList();

@@ -5,7 +5,8 @@ import java.util.Optional;
 /**
  * A sitter of 75 kg who becomes one of 55 kg in the middle of a ride, beside the same ride with the latter from its beginning.
  *
- * @param floor   on which @param family of the scheduled controller
+ * @param floor   on which
+ * @param family of the scheduled controller
  * @param seconds after which the weighted acceleration of the seat, r.m.s. over 5 s, stays within 5 % of that beside it; infinite if it
  *                never does
  * @param later   ratio of the two from 10 s after the change on

@@ -5,9 +5,12 @@ import wbv.rig.Subject;
 /**
  * Who rides where, for how long.
  *
- * @param sitter  who sits there  @param floor under the seat @param scale of the floor's accelerations, &gt; 0
+ * @param sitter  who sits there
+ * @param floor under the seat
+ * @param scale factor of the floor's accelerations, &gt; 0
  * @param jolt    height of a jolt every {@value #JOLT_EVERY} s [m/s²], one sine of {@value #JOLT_LENGTH} s, &gt;= 0
- * @param settle  time that is ridden but not judged, at the beginning [s], &gt;= 0 @param seconds time that is judged [s], &gt; 0
+ * @param settle  time that is ridden but not judged, at the beginning [s], &gt;= 0
+ * @param seconds time that is judged [s], &gt; 0
  * @param seed    of the floor and the sensors
  * @param faults  what goes wrong; times count from the beginning of the judged part
  */
@@ -24,7 +27,12 @@ public record Ride(Subject sitter, Floor floor, double scale, double jolt, doubl
         }
     }
 
-    /** A ride without faults and jolts. */
+    /**
+     * A ride without faults and jolts.
+     *
+     * @param settle as there [s]
+     * @param seconds as there [s]
+     */
     public Ride(Subject sitter, Floor floor, double settle, double seconds, long seed) {
         this(sitter, floor, 1, 0, settle, seconds, seed, Faults.NONE);
     }
@@ -34,7 +42,11 @@ public record Ride(Subject sitter, Floor floor, double scale, double jolt, doubl
         return new Ride(sitter, floor, scale, jolt, settle, seconds, seed, others);
     }
 
-    /** The same with a jolt every 10 s. @param height [m/s²] */
+    /**
+     * The same with a jolt every 10 s.
+     *
+     * @param height [m/s²]
+     */
     public Ride withJolts(double height) {
         return new Ride(sitter, floor, scale, height, settle, seconds, seed, faults);
     }

@@ -6,7 +6,8 @@ import wbv.result.Digits;
  * A cab's floor on a road of ISO 8608: displacement spectrum {@code G(n) = G₀ (n/n₀)⁻²} at n₀ = 0.1 1/m, the classes' geometric means G₀ =
  * 16 · 4^k 10⁻⁶ m³ from A on; through a cab that stands on 1.8 Hz with damping ratio 0.35 and hears nothing above 12 Hz, which is assumed.
  *
- * @param roughness {@code A} to {@code E} @param speed [km/h], &gt; 0 to 200
+ * @param roughness {@code A} to {@code E}
+ * @param speed [km/h], &gt; 0 to 200
  */
 public record RoadFloor(char roughness, double speed) implements Floor {
 

@@ -45,11 +45,24 @@ public final class SeatTrial {
         /** Hears nothing. */
         Listener NONE = (time, floor, seat, deflection, weightedSeat, weightedFloor) -> {};
 
-        /** Accelerations in m/s², the deflection in m; once a step of the controller. @param time since the judged part began [s] */
+        /**
+         * Once a step of the controller.
+         *
+         * @param time since the judged part began [s]
+         * @param floor acceleration [m/s²]
+         * @param seat likewise
+         * @param deflection [m]
+         * @param weightedSeat acceleration [m/s²]
+         * @param weightedFloor likewise
+         */
         void hear(double time, double floor, double seat, double deflection, double weightedSeat, double weightedFloor);
     }
 
-    /** A ride with a controller that knows so much. */
+    /**
+     * A ride with a controller that knows so much.
+     *
+     * @param tuning in the unit of the family
+     */
     public TrialResult run(Maker maker, ControllerFamily family, Knowledge knowledge, double tuning) {
         return run(maker, family, knowledge, tuning, Listener.NONE);
     }
@@ -62,18 +75,27 @@ public final class SeatTrial {
         return new Run(family.controller(maker, tuning, source), source, told, 1).play(listener);
     }
 
-    /** A ride with a controller that is told of the sitter wrongly. @param wrong times which his natural frequency is told */
+    /**
+     * A ride with a controller that is told of the sitter wrongly.
+     *
+     * @param tuning in the unit of the family
+     * @param wrong factor on the masses, the natural frequency and the damping ratio that are told
+     */
     public TrialResult runMisled(Maker maker, ControllerFamily family, double tuning, double wrong) {
         ToldSitter source = new ToldSitter(Maker.apparent(ride.sitter()).times(wrong, wrong, wrong));
         return new Run(family.controller(maker, tuning, source), source, Optional.of(source), wrong).play(Listener.NONE);
     }
 
-    /** Lets an estimator hear a ride on a passive seat. @return factor on the sitter's stiffness at its end */
+    /**
+     * Lets an estimator hear a ride on a passive seat.
+     *
+     * @return factor on the sitter's stiffness at its end
+     */
     double calibrate(FollowedSitter reading) {
         Run run = new Run(new PassiveSeat(hardware, MILD), reading, Optional.empty(), 1);
         run.listens = true;
         run.play(Listener.NONE);
-        return run.seat.person().softness();
+        return run.seat.person().stiffnessFactor();
     }
 
     private final class Run {
@@ -176,7 +198,7 @@ public final class SeatTrial {
                 subject = seat.person().subject();
                 truth = Maker.apparent(subject).times(wrong, wrong, wrong);
             }
-            told.get().tell(truth, Math.sqrt(seat.person().softness()));
+            told.get().tell(truth, Math.sqrt(seat.person().stiffnessFactor()));
         }
 
         private void sense(double floor, double time) {

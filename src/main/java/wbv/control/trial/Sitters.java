@@ -21,7 +21,11 @@ public final class Sitters {
         return UNLIKE.length;
     }
 
-    /** The first so many. @param count &gt;= 1 */
+    /**
+     * The first so many.
+     *
+     * @param count &gt;= 1
+     */
     public static List<Subject> first(int count) {
         List<Subject> sitters = new ArrayList<>();
         for (int i = 0; i < count; i++) {
@@ -31,7 +35,12 @@ public final class Sitters {
         return sitters;
     }
 
-    /** A sitter of this mass, average in all else. @throws IllegalArgumentException if nobody has such a mass */
+    /**
+     * A sitter of this mass, average in all else.
+     *
+     * @param mass [kg]
+     * @throws IllegalArgumentException if nobody has such a mass
+     */
     public static Subject ofMass(double mass) {
         return new Subject("1", mass, Maker.MIDDLE.stature(), 1, 1, Posture.NORMAL);
     }

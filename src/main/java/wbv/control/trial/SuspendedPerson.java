@@ -68,7 +68,9 @@ final class SuspendedPerson {
     /**
      * A step.
      *
-     * @param before acceleration of the floor at its beginning [m/s²] @param after at its end @param damping of the damper [N·s/m]
+     * @param before acceleration of the floor at its beginning [m/s²]
+     * @param after at its end
+     * @param damping of the damper [N·s/m]
      * @param force of the actuator [N]
      */
     void step(double before, double after, double damping, double force) {

@@ -58,7 +58,9 @@ public final class Admission {
     /**
      * Refuses a recording without excitation, and one whose input does not cause the outputs.
      *
-     * @param rate [Hz] @param base what the input measured, mean removed @param noise of its sensor
+     * @param rate [Hz]
+     * @param base what the input measured, mean removed
+     * @param noise of its sensor
      * @param measured by output. None modified.
      */
     static void excited(double rate, Channel input, double[] base, double noise, double[][] measured) {

@@ -14,7 +14,11 @@ public final class Augmented {
 
     private Augmented() {}
 
-    /** The model completed. @param assembly of the same model: what was added stands behind the model's own links and bodies */
+    /**
+     * The model completed.
+     *
+     * @param assembly of the same model: what was added stands behind the model's own links and bodies
+     */
     public static Model of(Model model, Assembly assembly) {
         Structure s = assembly.structure();
         List<Model.Link> links = new ArrayList<>();

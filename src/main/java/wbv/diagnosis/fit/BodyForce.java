@@ -16,10 +16,10 @@ import wbv.diagnosis.mechanism.Hypothesis;
  *
  * @param body      index of the body
  * @param bands     how strong it is
- * @param carried   part of the excess that it carries
+ * @param carried   share of the excess that it carries
  * @param following how its level follows that of the ride
- * @param lead      how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
- *                  links could do the same; negative infinity where a link with a law that was found would carry nearly as much
+ * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
+ *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
  */
 public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead) {
 
@@ -68,7 +68,11 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return bands.rms();
     }
 
-    /** Variance of each part of a line of {@link Window#spectrum} at a frequency [N²]. */
+    /**
+     * Variance of each part of a line of {@link Window#spectrum} at a frequency [N²].
+     *
+     * @param frequency [Hz]
+     */
     public double power(double frequency) {
         return bands.power(frequency);
     }

@@ -28,7 +28,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         added = List.copyOf(added);
     }
 
-    /** The assembly at coordinates x. Not modified. */
+    /**
+     * The assembly at coordinates.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Assembly at(double[] x) {
         double[] values = template.values();
         for (int i = 0; i < x.length; i++) {
@@ -46,7 +50,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return knobs.get(i).slot().index(template);
     }
 
-    /** Derivative of all outputs to knob i's value. @param slopes by number of the assembly and output. Not modified */
+    /**
+     * Derivative of all outputs to knob i's value, spectra by output, in the units of both.
+     *
+     * @param slopes spectra by number of the assembly and output, likewise. Not modified
+     */
     public double[][] slope(double[][][] slopes, int i) {
         double[][] out = slopes[index(i)];
         List<Knob.Tied> tied = knobs.get(i).tied();
@@ -70,12 +78,16 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return IntStream.range(0, knobs.size()).filter(i -> knobs.get(i).slot().equals(slot)).findFirst();
     }
 
-    /** Coordinates at which every knob stands at its reference, or at the nearest bound. */
+    /** Coordinates [1], one a knob, at which every knob stands at its reference, or at the nearest bound. */
     public double[] start() {
         return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
     }
 
-    /** The hypothesis that was added last. @throws IndexOutOfBoundsException if none was */
+    /**
+     * The hypothesis that was added last.
+     *
+     * @throws IndexOutOfBoundsException if none was
+     */
     public Hypothesis last() {
         return added.get(added.size() - 1);
     }
@@ -93,7 +105,13 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return new Candidate(template, knobs, added, true);
     }
 
-    /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. Arrays are not modified. */
+    /**
+     * Coordinates [1] of {@code with(hypothesis)}, one a knob, from those of this candidate and values of the hypothesis. Arrays are not
+     * modified.
+     *
+     * @param x coordinates [1], one a knob
+     * @param values one a number of the hypothesis, in its own unit
+     */
     public double[] extended(double[] x, Candidate with, Hypothesis hypothesis, double[] values) {
         double[] out = Arrays.copyOf(x, with.knobs().size());
         int[] own = with.positions(hypothesis);
@@ -103,7 +121,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return out;
     }
 
-    /** Positions of a hypothesis' numbers among the knobs. @param hypothesis one that was added */
+    /**
+     * Positions of a hypothesis' numbers among the knobs.
+     *
+     * @param hypothesis one that was added
+     */
     public int[] positions(Hypothesis hypothesis) {
         int from = knobs.size();
         for (int i = added.size() - 1; i >= 0; i--) {

@@ -33,7 +33,11 @@ record Coherence(double share, double deviation) {
     /** By what frequencies count. */
     enum Weight { INPUT, OUTPUT }
 
-    /** @param rate [Hz] @param x without gaps. Not modified. @param y likewise */
+    /**
+     * @param rate [Hz]
+     * @param x without gaps. Not modified.
+     * @param y likewise
+     */
     static Coherence of(double rate, double[] x, double[] y, Weight weight) {
         int length = LONGEST;
         while (length > SHORTEST && new Segmentation(rate, length, 0.5).independent(2L * x.length / length - 1) < FEWEST) {

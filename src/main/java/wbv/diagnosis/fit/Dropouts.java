@@ -58,7 +58,11 @@ final class Dropouts {
         return out;
     }
 
-    /** The least length of a run that chance does not make in a recording. @param chances that one sample of it comes about, by channel */
+    /**
+     * The least length of a run that chance does not make in a recording.
+     *
+     * @param chances that one sample of it comes about, by channel
+     */
     private static int enough(int n, List<double[]> sensor, ToDoubleFunction<double[]> chances, int least) {
         double chance = sensor.stream().mapToDouble(chances).reduce(1, (a, b) -> a * b);
         return chance > 0 ? (int) Math.max(least, Math.ceil(Math.log(RARE / n) / Math.log(chance))) : least;

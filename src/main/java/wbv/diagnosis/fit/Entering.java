@@ -4,22 +4,25 @@ package wbv.diagnosis.fit;
  * What a fit leaves, taken for something that enters along one direction: any signal, of which the direction says what it does to each
  * output.
  *
- * @param signal   likeliest spectrum of it, at the lines of the fit's window
- * @param variance of the real and of the imaginary part of each line, by the noise
+ * @param signal   likeliest spectrum of it in the direction's own unit, at the lines of the fit's window
+ * @param variance of the real and of the imaginary part, by line, by the noise, in the square of that unit
  */
 public record Entering(double[] signal, double[] variance) {
 
-    /** The signal that explains most. @param direction spectra at the excitation's lines, by output. Not modified. */
+    /**
+     * The signal that explains most.
+     *
+     * @param direction spectra at the excitation's lines, by output, per unit of what enters. Not modified.
+     */
     public static Entering along(Evidence evidence, Fitter.State state, double[][] direction) {
         Window window = state.frame().whitening().window();
         double[] unit = unit(evidence, state, direction);
         double[] r = state.residual();
-        int m = 2 * evidence.outputs().size();
         double[] signal = new double[2 * window.lines()];
         double[] variance = new double[window.lines()];
         for (int line = 0; line < window.lines(); line++) {
             double size = 0;
-            for (int i = m * line; i < m * (line + 1); i += 2) {
+            for (int i = 2 * line; i < r.length; i += 2 * window.lines()) {
                 size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
                 signal[2 * line] += unit[i] * r[i] + unit[i + 1] * r[i + 1];
                 signal[2 * line + 1] += unit[i] * r[i + 1] - unit[i + 1] * r[i];
@@ -32,7 +35,11 @@ public record Entering(double[] signal, double[] variance) {
         return new Entering(signal, variance);
     }
 
-    /** Mean square of the residual that is left when such a signal is taken out. @param direction Not modified. */
+    /**
+     * Mean square of the whitened residual that is left when such a signal is taken out.
+     *
+     * @param direction as for {@link #along}, spectra by output, per unit of what enters. Not modified.
+     */
     public static double left(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
         Entering entering = along(evidence, state, direction);
@@ -46,7 +53,11 @@ public record Entering(double[] signal, double[] variance) {
         return sum / (whitening.degrees() - 2.0 * whitening.window().lines());
     }
 
-    /** How much more of the residual than noise lies along a direction, at least 0. @param direction Not modified. */
+    /**
+     * How much more of the whitened residual's sum of squares than noise lies along a direction, at least 0.
+     *
+     * @param direction as for {@link #along}, spectra by output, per unit of what enters. Not modified.
+     */
     public static double beyondNoise(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
         if (evidence.outputs().size() == 1 || evidence.model().driven()) {   // there is but one direction

@@ -159,7 +159,12 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         shapes.add(own);
     }
 
-    /** Adds a series that comes late. @param outputs how many there are @param late samples */
+    /**
+     * Adds a series that comes late.
+     *
+     * @param outputs how many there are
+     * @param late samples
+     */
     void addLate(SmallError error, int outputs, double[] series, int late, double factor) {
         double[][] own = new double[outputs][0];
         own[error.owner()] = new double[series.length];

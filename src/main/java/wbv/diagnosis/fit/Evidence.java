@@ -61,12 +61,20 @@ public final class Evidence {
         this(model, recording, stated, OptionalDouble.empty());
     }
 
-    /** The same, held out from a moment that is given. @param provedFrom see {@link wbv.diagnosis.Question#provedFrom} */
+    /**
+     * The same, held out from a moment that is given.
+     *
+     * @param provedFrom see {@link wbv.diagnosis.Question#provedFrom}
+     */
     public Evidence(Model model, Recording recording, OptionalDouble stated, OptionalDouble provedFrom) {
         this(model, recording, stated, false, provedFrom);
     }
 
-    /** What another model makes of the input. @param stated as for what was measured */
+    /**
+     * What another model makes of the input.
+     *
+     * @param stated as for what was measured
+     */
     public static Evidence computed(Model model, Recording simulation, OptionalDouble stated) {
         return new Evidence(model, simulation, stated, true, OptionalDouble.empty());
     }
@@ -164,12 +172,12 @@ public final class Evidence {
         return measured.input();
     }
 
-    /** A channel with its gaps bridged, in its unit. Not a copy. */
+    /** The series of a channel with its gaps bridged, in its unit. Not a copy. */
     public double[] series(Channel channel) {
         return Excitation.bridged(recording().values(channel));
     }
 
-    /** What was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
+    /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
     public double[] measured(int output) {
         return measured.series(output);
     }
@@ -368,18 +376,27 @@ public final class Evidence {
     /**
      * The noise of a sensor of the input, and its way to the outputs.
      *
-     * @param noise standard deviation of a sample, in its unit @param order how often what it reads is differentiated to be what enters
+     * @param noise standard deviation of a sample, in its unit
+     * @param order how often what it reads is differentiated to be what enters
      * @param transfer spectra of what enters, by output
      */
     public record InputWay(Channel sensor, double noise, int order, Supplier<double[][]> transfer) {
 
-        /** Power of the noise at a frequency [rad/s]. */
+        /**
+         * Power of the noise as it enters, in the square of the unit of what enters.
+         *
+         * @param omega frequency [rad/s]
+         */
         public double power(double omega) {
             return Math.pow(noise * Math.pow(omega, order), 2);
         }
     }
 
-    /** The sensors of the input, those of the base first. @param model without laws that are not linear */
+    /**
+     * The sensors of the input, those of the base first.
+     *
+     * @param model without laws that are not linear
+     */
     public List<InputWay> inputWays(Excitation from, Assembly model) {
         List<InputWay> out = new ArrayList<>();
         List<Channel> base = model().base().sensors();
@@ -401,7 +418,11 @@ public final class Evidence {
         return heard.getOrDefault(sensor, 0.0);
     }
 
-    /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */
+    /**
+     * Spectra over all lines of an excitation at the lines of a window, by straight lines between.
+     *
+     * @param spectra Not modified.
+     */
     double[][] atLines(Excitation from, double[][] spectra, Window window) {
         double[] omega = from.omega();
         double spacing = omega[1] / (2 * Math.PI);
@@ -419,7 +440,12 @@ public final class Evidence {
         return g;
     }
 
-    /** Measured minus simulated, whitened. @param from what was simulated @param simulated spectra by output. Not modified. */
+    /**
+     * Measured minus simulated, whitened.
+     *
+     * @param from what was simulated
+     * @param simulated spectra by output. Not modified.
+     */
     double[] residual(Excitation from, double[][] simulated, Whitening whitening) {
         double[][] spectra = new double[outputs().size()][];
         for (int o = 0; o < spectra.length; o++) {
@@ -438,7 +464,7 @@ public final class Evidence {
      * Simulated spectra times a factor, whitened like a residual.
      *
      * @param from what was simulated
-     * @param simulated by output. Not modified.
+     * @param simulated by output, in its unit. Not modified.
      */
     public double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
         double[][] spectra = new double[outputs().size()][];

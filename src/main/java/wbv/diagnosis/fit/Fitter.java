@@ -42,7 +42,11 @@ public final class Fitter {
         this(evidence, evidence.excitation());
     }
 
-    /** A fitter in which nothing was simulated yet. @param excitation all of the input that the windows to be looked at need */
+    /**
+     * A fitter in which nothing was simulated yet.
+     *
+     * @param excitation all of the input that the windows to be looked at need
+     */
     public Fitter(Evidence evidence, Excitation excitation) {
         this(evidence, excitation, Optional.empty());
     }
@@ -57,7 +61,7 @@ public final class Fitter {
     /**
      * What a candidate did at some numbers, which several fits need that begin there.
      *
-     * @param x not a copy
+     * @param x coordinates [1], one a knob. Not a copy
      * @param slopes derivatives that the response has
      */
     public record Ran(Candidate candidate, double[] x, Sensitivities slopes, Simulator.Response response) {
@@ -70,7 +74,11 @@ public final class Fitter {
         }
     }
 
-    /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. @param x Not modified. */
+    /**
+     * What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Optional<Ran> ran(Candidate candidate, double[] x) {
         response(candidate, x, Sensitivities.ALL, Optional.empty());
         return ran.filter(last -> last.has(Sensitivities.ALL) && last.is(candidate, x));
@@ -95,11 +103,12 @@ public final class Fitter {
     /**
      * Where a fit stands.
      *
+     * @param x      coordinates [1], one a knob. Not a copy
      * @param cost   sum of squares of the whitened residual, of the sensors' errors and of the priors
      * @param square sum of squares of the whitened residual alone
-     * @param raw    whitened residual of the data, with what the sensors' errors explain
-     * @param errors the sensors' errors in standard deviations
-     * @param slopes whitened derivative of the residual to each coordinate; empty where it was not asked for
+     * @param raw    whitened residual of the data by line, with what the sensors' errors explain
+     * @param errors the sensors' errors, one an error, in standard deviations [1]
+     * @param slopes whitened derivative of the residual by coordinate, then by line; empty where it was not asked for
      * @param frame  whitening and errors that all this stands in
      */
     public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes,
@@ -108,14 +117,14 @@ public final class Fitter {
         /**
          * Where a candidate cannot be simulated: its cost is infinite, all its arrays but x are empty.
          *
-         * @param x not copied, not modified
+         * @param x coordinates [1], one a knob. Not copied, not modified
          */
         public static State failed(Candidate candidate, double[] x, Frame frame) {
             double never = Double.POSITIVE_INFINITY;
             return new State(candidate, x, never, never, new double[0], new double[0], new double[0][], frame);
         }
 
-        /** Whitened residual of the data without what the sensors' errors explain. A new array. */
+        /** Whitened residual of the data, by line, without what the sensors' errors explain. A new array. */
         public double[] residual() {
             return frame.nuisances().removed(raw, errors);
         }
@@ -145,10 +154,18 @@ public final class Fitter {
         }
     }
 
-    /** What a residual is seen through. @param x where it was made. Not a copy */
+    /**
+     * What a residual is seen through.
+     *
+     * @param x where it was made: coordinates [1], one a knob. Not a copy
+     */
     public record Frame(Whitening whitening, Nuisances nuisances, double[] x) {}
 
-    /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. @param x Not modified. */
+    /**
+     * The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
         Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, Sensitivities.NONE, Optional.empty())
@@ -177,17 +194,29 @@ public final class Fitter {
         return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
     }
 
-    /** The residual at x, without derivatives. @param x not copied, not modified */
+    /**
+     * The residual at x, without derivatives.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State look(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, Sensitivities.NONE, NO_SLOPES, Optional.empty());
     }
 
-    /** The residual at x in the frame of the model at x. @param x not copied, not modified */
+    /**
+     * The residual at x in the frame of the model at x.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State look(Candidate candidate, double[] x, Window window) {
         return look(candidate, x, frame(candidate, x, window));
     }
 
-    /** The residual at x with its derivatives. @param x not copied, not modified */
+    /**
+     * The residual at x with its derivatives.
+     *
+     * @param x coordinates [1], one a knob, not copied, not modified
+     */
     public State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, Sensitivities.ALL, NO_SLOPES, Optional.empty());
     }
@@ -198,7 +227,9 @@ public final class Fitter {
      * did, until that gains nothing more. What goes beyond small motions hardly moves with a step: it stays what it was where the fit
      * began, and is found anew where it ends.
      *
-     * @param start coordinates. Not modified. @param most iterations at most @param tolerance relative gain below which a fit ends
+     * @param start coordinates [1], one a knob. Not modified.
+     * @param most iterations at most
+     * @param tolerance relative gain below which a fit ends
      */
     public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         return fit(candidate, start, frame, NO_SLOPES, most, tolerance);
@@ -234,7 +265,8 @@ public final class Fitter {
     /**
      * The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there.
      *
-     * @param start Not modified.
+     * @param start coordinates [1], one a knob. Not modified.
+     * @param tolerance relative gain below which a fit ends
      */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, Sensitivities.ALL, Optional.empty());
@@ -244,7 +276,10 @@ public final class Fitter {
                 .orElseGet(() -> State.failed(candidate, start, frame));
     }
 
-    /** @param first with derivatives @param exact whether all of these were worked out there */
+    /**
+     * @param first with derivatives
+     * @param exact whether all of these were worked out there
+     */
     private State descended(State first, boolean exact, Optional<Simulator.Bends> bends, int most, double tolerance) {
         State state = first;
         boolean fresh = exact;
@@ -263,8 +298,10 @@ public final class Fitter {
             damping = better == from ? 1e-3 : Math.max(step.damping() / 8, 1e-7);
             fresh = settled || !isApart(better.candidate());
             earlier = fresh ? Optional.empty() : Optional.of(followed);
-            state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(),
-                    bends);
+            state = fresh || !better.candidate().added().isEmpty()
+                    ? state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(),
+                            bends)
+                    : better;
         }
         return state;
     }
@@ -287,12 +324,12 @@ public final class Fitter {
     }
 
     /**
-     * Whether what was added to the user's model is all apart from its structure, as a hidden mass is not, and that has so many numbers
-     * that it counts.
+     * Whether what was added to the user's model, if anything was, is all apart from its structure, as a hidden mass is not, and that has
+     * so many numbers that it counts.
      */
     private static boolean isApart(Candidate candidate) {
         int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
-        return added > 0 && candidate.knobs().size() - added >= MANY
+        return candidate.knobs().size() - added >= MANY
                 && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
     }
 
@@ -385,11 +422,12 @@ public final class Fitter {
     }
 
     /**
-     * (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are.
+     * (C + damping diag C) s = g over the coordinates that are not held, n long, in whatever unit; 0 for those that are.
      *
-     * @param c n by n
-     * @param g n
-     * @param held n. None is modified.
+     * @param c n by n, in whatever unit
+     * @param g n long, likewise
+     * @param held n
+     * @param damping [1]. None is modified.
      */
     public static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
         int n = g.length;
@@ -424,12 +462,22 @@ public final class Fitter {
         return out;
     }
 
-    /** The scalar product. @param b as long as a, at least. Neither is modified. */
+    /**
+     * The scalar product, in the product of both units.
+     *
+     * @param a of any length and unit
+     * @param b as long as a, at least, of any unit. Neither is modified.
+     */
     public static double dot(double[] a, double[] b) {
         return dot(a, b, 0, a.length);
     }
 
-    /** The scalar product from an index to before another. Neither array is modified. */
+    /**
+     * The scalar product from an index to before another, in the product of both units. Neither array is modified.
+     *
+     * @param a of any length and unit
+     * @param b likewise
+     */
     public static double dot(double[] a, double[] b, int from, int to) {
         double s0 = 0;
         double s1 = 0;

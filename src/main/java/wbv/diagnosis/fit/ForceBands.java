@@ -65,7 +65,8 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
      * Power of a force by band, from estimates with noise: what a band and its neighbours show together, and its own the more the better it
      * is known.
      *
-     * @param power of estimates that hold the noise's too @param count lines by band
+     * @param power of estimates that hold the noise's too
+     * @param count lines by band
      */
     static double[] levels(double[] power, double[] noise, int[] count) {
         double[] level = new double[power.length];

@@ -9,11 +9,11 @@ import java.util.stream.Stream;
  *
  * @param name       what it is, with its place: {@code seat-torso stiffness_N_per_m}
  * @param slot       where it stands
- * @param reference  value at x = 0
- * @param unit       size of one x for an additive knob; 0 for a multiplicative one
- * @param low        least x
- * @param high       greatest x
- * @param deviation  standard deviation of x before the data are seen; infinite where nothing is known
+ * @param reference  value at x = 0, in the unit of the number
+ * @param unit       in that unit, size of one x for an additive knob; 0 for a multiplicative one
+ * @param low        least x [1]
+ * @param high       greatest x [1]
+ * @param deviation  standard deviation of x [1] before the data are seen; infinite where nothing is known
  * @param tied       other numbers that go with it
  */
 public record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation, List<Tied> tied) {
@@ -21,7 +21,15 @@ public record Knob(String name, Slot slot, double reference, double unit, double
     /** A number that is a knob's value times a factor. */
     record Tied(Slot slot, double factor) {}
 
-    /** One of a single number. */
+    /**
+     * One of a single number.
+     *
+     * @param reference in the unit of the number
+     * @param unit likewise
+     * @param low [1]
+     * @param high [1]
+     * @param deviation [1]
+     */
     public Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
         this(name, slot, reference, unit, low, high, deviation, List.of());
     }
@@ -36,12 +44,22 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         }
     }
 
-    /** Multiplicative. @param low @param high as values, of the sign of the reference */
+    /**
+     * Multiplicative.
+     *
+     * @param low
+     * @param high as values, of the sign of the reference
+     */
     static Knob factor(String name, Slot slot, double reference, double low, double high, double deviation) {
         return new Knob(name, slot, reference, 0, Math.log(low / reference), Math.log(high / reference), deviation);
     }
 
-    /** Additive. @param low @param high as values */
+    /**
+     * Additive.
+     *
+     * @param low
+     * @param high as values
+     */
     static Knob sum(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
         return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
     }
@@ -62,18 +80,30 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return name.substring(name.lastIndexOf(' ') + 1);
     }
 
-    /** The number at a coordinate, in its own unit. */
+    /**
+     * The number at a coordinate, in its own unit.
+     *
+     * @param x [1]
+     */
     public double value(double x) {
         return unit == 0 ? reference * Math.exp(x) : reference + unit * x;
     }
 
-    /** The coordinate of a value, kept within bounds. */
+    /**
+     * The coordinate [1] of a value, kept within bounds.
+     *
+     * @param value in the unit of the number
+     */
     public double coordinate(double value) {
         double x = unit == 0 ? Math.log(value / reference) : (value - reference) / unit;
         return Math.max(low, Math.min(high, x));
     }
 
-    /** d value / d x. */
+    /**
+     * d value / d x, in the unit of the number.
+     *
+     * @param x coordinate [1]
+     */
     public double slope(double x) {
         return unit == 0 ? reference * Math.exp(x) : unit;
     }

@@ -34,15 +34,15 @@ public final class Known {
      * What is left while whatever enters at some places is ignored.
      *
      * @param places ignored
-     * @param x where the model fits then
-     * @param reduced what is left, of what still shows
+     * @param x where the model fits then: coordinates [1], one a knob
+     * @param reduced mean square of the whitened residual that is left, of what still shows
      */
     public record Ignoring(List<Place> places, double[] x, double reduced) {}
 
     /**
      * All places one by one.
      *
-     * @param x where fits start, told by being the same array: kept and not modified.
+     * @param x where fits start, coordinates [1], one a knob, told by being the same array: kept and not modified.
      * @param find works them out if nobody asked
      */
     public List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {

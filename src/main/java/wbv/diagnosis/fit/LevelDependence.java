@@ -10,7 +10,7 @@ import wbv.recording.Quantity;
  * How the level of a force follows that of the ride from block to block: that of everything does which the ride causes.
  *
  * @param slope in logarithms: 0 not at all, 1 in proportion; infinite where other motion of the recording explains the force
- * @param doubt standard deviation of the slope; infinite where the ride has one level or is short
+ * @param doubt standard deviation of the slope [1]; infinite where the ride has one level or is short
  */
 public record LevelDependence(double slope, double doubt) {
 

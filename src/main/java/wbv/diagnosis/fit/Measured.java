@@ -132,7 +132,11 @@ public final class Measured {
      */
     public record InputNoise(double deviation, int order) {
 
-        /** That of the acceleration at a frequency [rad/s]. */
+        /**
+         * Power of the noise of the acceleration, in the square of its unit.
+         *
+         * @param omega frequency [rad/s]
+         */
         public double power(double omega) {
             return Math.pow(deviation * Math.pow(omega, order), 2);
         }
@@ -206,7 +210,11 @@ public final class Measured {
         return alike && !model.driven() && stated.isPresent() ? stated.getAsDouble() : own;
     }
 
-    /** Fills in the outputs' noise. @return that of the input */
+    /**
+     * Fills in the outputs' noise.
+     *
+     * @return that of the input
+     */
     private double noiseOfSensors(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
         Channel base = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
@@ -349,7 +357,11 @@ public final class Measured {
         return noise;
     }
 
-    /** What small errors of the sensors do in a window. @param make asked once */
+    /**
+     * What small errors of the sensors do in a window.
+     *
+     * @param make asked once
+     */
     ErrorShapes shapes(Window window, Function<Window, ErrorShapes> make) {
         return shapes.computeIfAbsent(window, make);
     }
@@ -376,7 +388,11 @@ public final class Measured {
         return out;
     }
 
-    /** A series less its mean, a new array. @param x Not modified. */
+    /**
+     * A series less its mean, in its unit, a new array.
+     *
+     * @param x by sample, of any unit. Not modified.
+     */
     public static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();

@@ -125,29 +125,41 @@ public final class Motion {
         }
     }
 
-    /** Displacement of a link at the free run's rate [m]. Not a copy. */
+    /** Displacement of a link at the free run's rate, by sample [m]. Not a copy. */
     public double[] displacement(int link) {
         return displacement[link];
     }
 
-    /** Velocity of a link at the free run's rate [m/s]. Not a copy. */
+    /** Velocity of a link at the free run's rate, by sample [m/s]. Not a copy. */
     public double[] velocity(int link) {
         return velocity[link];
     }
 
-    /** Root mean square displacement of a link up to a sample [m]. @param x [m]. Not modified. */
+    /**
+     * Root mean square displacement of a link up to a sample [m].
+     *
+     * @param x by sample [m]. Not modified.
+     */
     public static double rms(double[] x, int to) {
         return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));
     }
 
-    /** The values up to a sample, least first. A new array. @param x Not modified. */
+    /**
+     * The values up to a sample, as many, in their unit, least first. A new array.
+     *
+     * @param x series of any unit. Not modified.
+     */
     public static double[] sorted(double[] x, int to) {
         double[] sorted = Arrays.copyOf(x, to);
         Arrays.sort(sorted);
         return sorted;
     }
 
-    /** A quantile. @param sorted values, least first. Not modified. */
+    /**
+     * A quantile, in the unit of the values.
+     *
+     * @param sorted as many values as there are, of any unit, least first. Not modified.
+     */
     public static double quantile(double[] sorted, double share) {
         int last = sorted.length - 1;
         return sorted[(int) Math.min(last, Math.round(share * last))];

@@ -64,7 +64,11 @@ public final class NoiseLevel {
         return series.length < 2 ? OptionalDouble.empty() : new Unshared(series, LOW, HIGH, BAND).level();
     }
 
-    /** Standard deviation of a sample, if its noise is white. @param x gaps are bridged. Not modified. */
+    /**
+     * Standard deviation of a sample, if its noise is white.
+     *
+     * @param x gaps are bridged. Not modified.
+     */
     double of(double[] x) {
         return between(Excitation.bridged(x), LOW, HIGH, BLOCK);
     }
@@ -74,7 +78,7 @@ public final class NoiseLevel {
      * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a
      * recording is short.
      *
-     * @param x [unit of the channel]. Not modified.
+     * @param x by sample [unit of the channel]. Not modified.
      */
     public double bound(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));

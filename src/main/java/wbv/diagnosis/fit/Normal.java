@@ -18,13 +18,21 @@ public final class Normal {
     private final double[] gradient;
     private final double[][] curvature;
 
-    /** The equations at a state. @param state with its derivatives */
+    /**
+     * The equations at a state.
+     *
+     * @param state with its derivatives
+     */
     public Normal(Fitter.State state) {
         this(state, new Projection(state));
     }
 
     private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, projection.products(state.slopes()), Gram.of(state.slopes()));
+        this(state, projection, new Columns(state.slopes()));
+    }
+
+    private Normal(Fitter.State state, Projection projection, Columns slopes) {
+        this(state, projection, projection.products(slopes), slopes.gram());
     }
 
     private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {
@@ -99,11 +107,12 @@ public final class Normal {
         if (!projection.suits(next)) {
             return new Normal(next);
         }
-        double[][] columns = IntStream.of(fresh).mapToObj(i -> next.slopes()[i]).toArray(double[][]::new);
+        Columns slopes = new Columns(next.slopes());
+        Columns columns = slopes.only(fresh);
         double[][] theirs = products.clone();
         double[][] all = Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new);
         double[][] own = projection.products(columns);
-        double[][] with = Gram.products(next.slopes(), columns);
+        double[][] with = slopes.products(columns);
         for (int k = 0; k < fresh.length; k++) {
             theirs[fresh[k]] = own[k];
             for (int i = 0; i < n; i++) {
@@ -130,17 +139,19 @@ public final class Normal {
         return projection;
     }
 
-    /** Products of the slopes with the sensors' errors, as {@link Projection} wants them. Not a copy. */
+    /**
+     * Products of the whitened slopes with the sensors' errors [1], by coordinate and error, as {@link Projection} wants them. Not a copy.
+     */
     public double[][] products() {
         return products;
     }
 
-    /** Second derivative of half the cost, priors included. Not a copy. */
+    /** Second derivative of half the cost to the coordinates [1], n by n, priors included. Not a copy. */
     public double[][] curvature() {
         return curvature;
     }
 
-    /** First derivative of half the cost, priors included. Not a copy. */
+    /** First derivative of half the cost by coordinate [1], priors included. Not a copy. */
     public double[] gradient() {
         return gradient;
     }

@@ -1,5 +1,6 @@
 package wbv.diagnosis.fit;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -23,7 +24,7 @@ public final class Nuisances {
     private final double sample;
     private final List<SmallError> errors;
     /** What one standard deviation of each error adds to the whitened residual. */
-    private final double[][] columns;
+    private final Columns columns;
     private final double[][] gram;
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
     private final double[] delays;
@@ -37,9 +38,8 @@ public final class Nuisances {
      */
     public static Nuisances of(Evidence evidence, Whitening whitening, ErrorShapes ways) {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
-        double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, Gram.of(all),
-                new double[all.length], 1);
+        Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
+        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1);
     }
 
     /**
@@ -59,7 +59,8 @@ public final class Nuisances {
      * The same, with errors of ways that together are no larger than what is known of them: a way that has to be another altogether is not
      * this law's.
      *
-     * @param residual that they are to explain. Not modified. @param off errors that are not asked, see {@link #off}
+     * @param residual that they are to explain. Not modified.
+     * @param off errors that are not asked, see {@link #off}
      */
     Nuisances bounded(double[] residual, boolean[] off) {
         long ways = errors.stream().filter(error -> error.kind() == SmallError.Kind.WAY).count();
@@ -77,20 +78,20 @@ public final class Nuisances {
     }
 
     private Nuisances scaled(double factor) {
-        double[][] all = columns.clone();
+        double[][] all = new double[columns.count()][];
         double[][] products = new double[all.length][all.length];
         double[] by = new double[all.length];
         for (int i = 0; i < all.length; i++) {
             boolean own = errors.get(i).kind() == SmallError.Kind.WAY;
             by[i] = own ? factor : 1;
-            all[i] = own ? java.util.Arrays.stream(all[i]).map(value -> factor * value).toArray() : all[i];
+            all[i] = own ? Arrays.stream(columns.get(i)).map(value -> factor * value).toArray() : columns.get(i);
         }
         for (int i = 0; i < all.length; i++) {
             for (int j = 0; j < all.length; j++) {
                 products[i][j] = by[i] * by[j] * gram[i][j];
             }
         }
-        return new Nuisances(window, sample, errors, all, products, delays, factor * way);
+        return new Nuisances(window, sample, errors, new Columns(all), products, delays, factor * way);
     }
 
     /** What an error of so many standard deviations is of what is known of it. */
@@ -98,7 +99,7 @@ public final class Nuisances {
         return errors.get(i).kind() == SmallError.Kind.WAY ? way : 1;
     }
 
-    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays,
+    private Nuisances(Window window, double sample, List<SmallError> errors, Columns columns, double[][] gram, double[] delays,
             double way) {
         this.window = window;
         this.sample = sample;
@@ -113,7 +114,8 @@ public final class Nuisances {
      * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault,
      * which takes any share of what all have in common, nothing but this tells how late the input is.
      *
-     * @param sizes in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
+     * @param sizes in standard deviations. Not modified.
+     * @param off errors that are not asked, see {@link #off}
      */
     double[] likeliest(double[] sizes, boolean[] off) {
         int[] delayed = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isDelay() && !errors.get(i).isInput()).toArray();
@@ -140,7 +142,8 @@ public final class Nuisances {
     /**
      * How late the sensors are for whose delays the errors are exact.
      *
-     * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}. Neither is modified.
+     * @param omega by line of what is simulated [rad/s]
+     * @param off errors that are not asked, see {@link #off}. Neither is modified.
      */
     public Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
@@ -158,10 +161,14 @@ public final class Nuisances {
         return new Lateness(factors);
     }
 
-    /** What delays make of spectra. @param factors by output, complex; empty for one that is not late */
+    /**
+     * What delays make of spectra.
+     *
+     * @param factors by output, complex; empty for one that is not late
+     */
     public record Lateness(double[][] factors) {
 
-        /** The outputs of a run: what a sensor's other channels make of it was recorded late already. */
+        /** The outputs of a run, spectra by output in its unit: what a sensor's other channels make of it was recorded late already. */
         public double[][] of(Simulator.Response response) {
             double[][] out = of(response.outputs());
             for (int o = 0; o < out.length; o++) {
@@ -174,7 +181,11 @@ public final class Nuisances {
             return out;
         }
 
-        /** What late sensors read of it. @param simulated spectra by output. Not modified. */
+        /**
+         * What late sensors read of it, spectra by output in its unit.
+         *
+         * @param simulated spectra by output in its unit. Not modified.
+         */
         public double[][] of(double[][] simulated) {
             double[][] out = simulated.clone();
             for (int o = 0; o < out.length; o++) {
@@ -190,11 +201,9 @@ public final class Nuisances {
      * @param residual Modified.
      */
     void restore(double[] residual, boolean[] off) {
-        for (int i = 0; i < delays.length; i++) {
-            for (int k = 0; k < residual.length && delays[i] != 0 && !off[i]; k++) {
-                residual[k] += delays[i] * columns[i][k];
-            }
-        }
+        double[] taken = new double[delays.length];
+        Arrays.setAll(taken, i -> off[i] ? 0 : -delays[i]);
+        columns.subtract(taken, residual);
     }
 
     /** What a gain and a delay [s] make of each line. */
@@ -215,7 +224,7 @@ public final class Nuisances {
 
     /** The errors of sensors that a candidate holds at fault in the same way: there the fault says it all. */
     public boolean[] off(Candidate candidate) {
-        boolean[] out = new boolean[columns.length];
+        boolean[] out = new boolean[columns.count()];
         for (Hypothesis hypothesis : candidate.added()) {
             for (Hypothesis.Addition addition : hypothesis.additions()) {
                 for (int i = 0; i < out.length && isLate(addition); i++) {
@@ -238,7 +247,8 @@ public final class Nuisances {
     /**
      * What sensors with these errors read of something that reaches the outputs: gain and delay change its way too.
      *
-     * @param way spectra at the window's lines, by output. Not modified. @param sizes of the errors in standard deviations
+     * @param way spectra at the window's lines, by output. Not modified.
+     * @param sizes of the errors in standard deviations
      */
     double[][] seen(double[][] way, double[] sizes) {
         double[][] out = way.clone();
@@ -255,7 +265,11 @@ public final class Nuisances {
         return out;
     }
 
-    /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations. Not modified. */
+    /**
+     * How late an output's own sensor is [s].
+     *
+     * @param sizes one an error, in standard deviations [1]. Not modified.
+     */
     public double delay(int output, double[] sizes) {
         return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
                 .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();
@@ -269,16 +283,22 @@ public final class Nuisances {
         return errors.get(i);
     }
 
-    double[] column(int i) {
-        return columns[i];
+    /** What one standard deviation of each error adds to the whitened residual. */
+    Columns columns() {
+        return columns;
     }
 
     /** Products of a whitened vector with all columns. */
     double[] products(double[] vector) {
-        return Gram.products(columns, vector);
+        return columns.products(vector);
     }
 
-    /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
+    /**
+     * What the errors make of a residual.
+     *
+     * @param errors in standard deviations
+     * @param square what is left, as a sum of squares
+     */
     record Explained(double[] errors, double square) {}
 
     /**
@@ -289,7 +309,7 @@ public final class Nuisances {
      */
     Explained explain(double[] residual, boolean[] off) {
         double[] products = products(residual);
-        double[] n = new double[columns.length];
+        double[] n = new double[columns.count()];
         boolean[] held = off.clone();
         for (int round = 0; round < ROUNDS; round++) {
             solve(n, products, held);
@@ -310,7 +330,11 @@ public final class Nuisances {
         return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, left)));
     }
 
-    /** Solves for the errors that are not held. @param n Modified. */
+    /**
+     * Solves for the errors that are not held.
+     *
+     * @param n Modified.
+     */
     private void solve(double[] n, double[] products, boolean[] held) {
         int[] free = IntStream.range(0, n.length).filter(i -> !held[i]).toArray();
         DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
@@ -330,7 +354,11 @@ public final class Nuisances {
         }
     }
 
-    /** Frees errors whose bound holds them against their will. @param held Modified. */
+    /**
+     * Frees errors whose bound holds them against their will.
+     *
+     * @param held Modified.
+     */
     private boolean letGo(double[] n, double[] products, boolean[] held, boolean[] off) {
         double[] g = gradient(n, products);
         boolean any = false;
@@ -343,7 +371,11 @@ public final class Nuisances {
         return any;
     }
 
-    /** Dᵀ(r - D n). @param products Dᵀr */
+    /**
+     * Dᵀ(r - D n).
+     *
+     * @param products Dᵀr
+     */
     private double[] gradient(double[] n, double[] products) {
         return IntStream.range(0, n.length).mapToDouble(i -> products[i] - Fitter.dot(gram[i], n)).toArray();
     }
@@ -351,7 +383,7 @@ public final class Nuisances {
     /** The residual without what errors explain. A new array. */
     double[] removed(double[] residual, double[] n) {
         double[] out = residual.clone();
-        Gram.subtract(columns, n, out);
+        columns.subtract(n, out);
         return out;
     }
 

@@ -75,7 +75,11 @@ public record Place(Kind kind, int index) {
         return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
     }
 
-    /** Where a hypothesis acts, by its plain name. @param on what it stands on, or is part of */
+    /**
+     * Where a hypothesis acts, by its plain name.
+     *
+     * @param on what it stands on, or is part of
+     */
     public static Place plain(Hypothesis hypothesis, Candidate on) {
         return of(hypothesis).plain(on.template());
     }
@@ -103,10 +107,10 @@ public record Place(Kind kind, int index) {
     }
 
     /**
-     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a
-     * body's mass, and that of a body on the base, on which a force in its link acts.
+     * A fit, as coordinates [1], one a knob, in which this place was ignored, with the place's own numbers as the user gave them, since
+     * nothing told them: a link's, a body's mass, and that of a body on the base, on which a force in its link acts.
      *
-     * @param x Not modified.
+     * @param x coordinates [1], one a knob. Not modified.
      */
     public double[] asGiven(Candidate baseline, double[] x) {
         double[] out = x.clone();
@@ -121,8 +125,8 @@ public record Place(Kind kind, int index) {
     }
 
     /**
-     * What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by
-     * itself.
+     * What a unit of anything that enters here does to each output at every line of an excitation, spectra by output; of a device each
+     * channel does that by itself.
      */
     public double[][] direction(Excitation excitation, Assembly assembly) {
         if (!isSensor()) {

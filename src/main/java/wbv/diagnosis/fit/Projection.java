@@ -12,13 +12,13 @@ import org.ejml.data.DMatrixRMaj;
 public final class Projection {
 
     private final int[] free;
-    private final double[][] columns;
+    private final Columns columns;
     private final SymmetricFactor factor;
 
     Projection(Fitter.State state) {
         Nuisances nuisances = state.frame().nuisances();
         free = free(state);
-        columns = IntStream.of(free).mapToObj(nuisances::column).toArray(double[][]::new);
+        columns = nuisances.columns().only(free);
         DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
         for (int i = 0; i < free.length; i++) {
             for (int j = 0; j < free.length; j++) {
@@ -39,25 +39,37 @@ public final class Projection {
         return Arrays.equals(free, free(other));
     }
 
-    /** Dᵀ v over the free errors. @param vector Not modified. */
+    /**
+     * Dᵀ v [1], by error that is free.
+     *
+     * @param vector whitened, as long as the residual. Not modified.
+     */
     public double[] products(double[] vector) {
-        return Gram.products(columns, vector);
+        return columns.products(vector);
     }
 
-    /** The same of several, by vector. @param vectors Not modified. */
-    double[][] products(double[][] vectors) {
-        return Gram.products(columns, vectors);
+    /** The same of several, by vector. */
+    double[][] products(Columns vectors) {
+        return columns.products(vectors);
     }
 
-    /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
+    /**
+     * (DᵀD + 1)⁻¹ Dᵀ v [1], by error that is free: how they follow v.
+     *
+     * @param products of v [1], as long. Not modified.
+     */
     public double[] errors(double[] products) {
         return factor.solve(products);
     }
 
-    /** What a change of the residual leaves when the errors have followed it. A new array. @param vector Not modified. */
+    /**
+     * What a whitened change of the residual leaves when the errors have followed it, as long. A new array.
+     *
+     * @param vector whitened, as long as the residual. Not modified.
+     */
     public double[] without(double[] vector) {
         double[] out = vector.clone();
-        Gram.subtract(columns, errors(products(vector)), out);
+        columns.subtract(errors(products(vector)), out);
         return out;
     }
 }

@@ -56,7 +56,11 @@ public final class Readings {
         return out;
     }
 
-    /** Where a constant does not count, it is what the data of the fit have. @param read modified */
+    /**
+     * Where a constant does not count, it is what the data of the fit have.
+     *
+     * @param read modified
+     */
     private void level(int output, double[] read) {
         Window fit = evidence.fit();
         double off = evidence.isLevelled(
@@ -67,7 +71,11 @@ public final class Readings {
         }
     }
 
-    /** Adds an error's share, without its constant part where constants do not count. @param to modified */
+    /**
+     * Adds an error's share, without its constant part where constants do not count.
+     *
+     * @param to modified
+     */
     private void add(double[] to, double size, double[] shape) {
         double mean = evidence.onRig() ? 0 : Arrays.stream(shape).average().orElse(0);
         for (int i = 0; i < to.length; i++) {

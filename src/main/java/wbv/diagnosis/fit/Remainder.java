@@ -20,7 +20,12 @@ public final class Remainder {
     private final int place;
     private final Simulator.Response response;
 
-    /** Runs the fitted model once. @param user the model that nothing was added to @param place index of a body, or of a link */
+    /**
+     * Runs the fitted model once.
+     *
+     * @param user the model that nothing was added to
+     * @param place index of a body, or of a link
+     */
     public Remainder(Excitation excitation, Assembly user, Assembly full, boolean onBody, int place) {
         this.excitation = excitation;
         this.user = user;
@@ -62,7 +67,11 @@ public final class Remainder {
         return new Assembly(s.with(values), laws, drives, full.outputs());
     }
 
-    /** Outputs of a linear model with the forces that the laws elsewhere had. @param model such as {@link #bare} */
+    /**
+     * Outputs of a linear model with the forces that the laws elsewhere had, spectra by output in its unit.
+     *
+     * @param model such as {@link #bare}
+     */
     public double[][] outputs(Assembly model) {
         Simulator simulator = new Simulator(excitation);
         double[][] out = simulator.run(model, false).outputs();
@@ -82,13 +91,13 @@ public final class Remainder {
         return out;
     }
 
-    /** What a force of 1 N, or a moment of 1 N m, at the place does to the outputs of a linear model, spectra by output. */
+    /** What a force of 1 N, or a moment of 1 N m, at the place does to the outputs of a linear model, spectra by output in its unit. */
     public double[][] answer(Assembly model) {
         Simulator.Linearised linear = new Simulator(excitation).linearised(model);
         return onBody ? linear.ofBodyForce(place) : linear.ofLinkForce(place);
     }
 
-    /** The force of what was added at the place [N] or [N m], as the fit has it. */
+    /** The force of what was added at the place [N] or [N m], a spectrum, as the fit has it. */
     public double[] force() {
         double[] out = new double[2 * excitation.omega().length];
         double[] one = new double[out.length];
@@ -128,7 +137,13 @@ public final class Remainder {
                 .map(phase -> tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase)).toArray();
     }
 
-    /** target += x y, line by line. @param target Modified; x and y are not. */
+    /**
+     * target += x y, line by line.
+     *
+     * @param x spectrum of any unit
+     * @param y spectrum of any unit
+     * @param target spectrum in the product of the units of x and y. Modified; x and y are not.
+     */
     public static void add(double[] target, double[] x, double[] y) {
         for (int i = 0; i < x.length; i += 2) {
             target[i] += x[i] * y[i] - x[i + 1] * y[i + 1];

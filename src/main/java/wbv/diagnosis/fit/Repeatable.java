@@ -26,7 +26,9 @@ public final class Repeatable {
     /**
      * Standard deviation of what does not repeat [N]; 0 where the record is too short to tell.
      *
-     * @param force measured. Not modified. @param valid samples that count. Not modified. @param to end of what is looked at
+     * @param force measured, by sample [N]. Not modified.
+     * @param valid samples that count. Not modified.
+     * @param to end of what is looked at
      */
     public static double rest(Stroke stroke, double[] force, boolean[] valid, int to) {
         double[][] state = states(stroke, to);

@@ -6,7 +6,8 @@ import java.util.Optional;
 /**
  * The steps in which a sensor reads, as its values show them: all are whole numbers of steps apart.
  *
- * @param step  [the channel's unit] @param level one of the values that it can have
+ * @param step  [the channel's unit]
+ * @param level one of the values that it can have, in that unit
  */
 public record Rounding(double step, double level) {
 
@@ -15,7 +16,11 @@ public record Rounding(double step, double level) {
     /** Off a whole number of steps by as much as values written to a thousandth of a step are [steps]. */
     private static final double OFF = 0.01;
 
-    /** The rounding of a series; empty where it has none. @param x gaps do not count. Not modified. */
+    /**
+     * The rounding of a series; empty where it has none.
+     *
+     * @param x a series of any unit; gaps do not count. Not modified.
+     */
     static Optional<Rounding> of(double[] x) {
         double[] sorted = Arrays.stream(x).filter(value -> !Double.isNaN(value)).sorted().toArray();
         if (sorted.length == 0) {
@@ -66,7 +71,11 @@ public record Rounding(double step, double level) {
         return stays > changes && 4 * far > changes;
     }
 
-    /** The same where what rounding does is more than the small errors that every sensor has. @param x gaps do not count. Not modified. */
+    /**
+     * The same where what rounding does is more than the small errors that every sensor has.
+     *
+     * @param x a series of any unit; gaps do not count. Not modified.
+     */
     public static Optional<Rounding> coarse(double[] x) {
         double[] there = Arrays.stream(x).filter(value -> !Double.isNaN(value)).toArray();
         double[] centred = Measured.centred(there);

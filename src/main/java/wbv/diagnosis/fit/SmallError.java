@@ -50,7 +50,7 @@ public record SmallError(Kind kind, int owner, String axis) {
             this.deviation = deviation;
         }
 
-        /** Standard deviation among sensors. */
+        /** Standard deviation among sensors, in the unit of its key; delays in samples. */
         public double deviation() {
             return deviation;
         }
@@ -61,7 +61,11 @@ public record SmallError(Kind kind, int owner, String axis) {
         return String.format(Locale.ROOT, kind.key, axis);
     }
 
-    /** Standard deviation in the unit of its value. @param sample time between two samples as they were recorded [s] */
+    /**
+     * Standard deviation in the unit of its value.
+     *
+     * @param sample time between two samples as they were recorded [s]
+     */
     public double deviation(double sample) {
         return kind == Kind.DELAY || kind == Kind.AXIS_DELAY ? kind.deviation() * sample : kind.deviation();
     }

@@ -18,7 +18,12 @@ public final class SpectralLines {
 
     private SpectralLines() {}
 
-    /** The frequencies. @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
+    /**
+     * The frequencies.
+     *
+     * @param residual whitened, by line. Not modified.
+     * @return as many as stand out, up to three frequencies [Hz], the most outstanding first
+     */
     public static double[] of(double[] residual, Window window) {
         double[] prominence = prominence(residual, window);
         List<Integer> order = IntStream.range(0, prominence.length).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i]))
@@ -33,7 +38,11 @@ public final class SpectralLines {
         return found.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
-    /** Whether any line stands out as no noise's does. @param residual whitened. Not modified. */
+    /**
+     * Whether any line stands out as no noise's does.
+     *
+     * @param residual whitened, by line. Not modified.
+     */
     public static boolean standOut(double[] residual, Window window) {
         return Arrays.stream(prominence(residual, window)).anyMatch(p -> p > OUTSTANDING);
     }
@@ -41,12 +50,9 @@ public final class SpectralLines {
     /** Power of each line over the median of its neighbours'. */
     private static double[] prominence(double[] residual, Window window) {
         int lines = window.lines();
-        int width = residual.length / lines;
         double[] power = new double[lines];
-        for (int line = 0; line < lines; line++) {
-            for (int i = 0; i < width; i++) {
-                power[line] += residual[line * width + i] * residual[line * width + i];
-            }
+        for (int i = 0; i < residual.length; i += 2) {
+            power[i / 2 % lines] += residual[i] * residual[i] + residual[i + 1] * residual[i + 1];
         }
         double[] prominence = new double[lines];
         for (int line = 0; line < lines; line++) {

@@ -15,13 +15,21 @@ public final class SymmetricFactor {
         this.lower = lower;
     }
 
-    /** The factor of a matrix; empty where it is not positive definite. @param matrix square. Not modified. */
+    /**
+     * The factor of a matrix; empty where it is not positive definite.
+     *
+     * @param matrix square. Not modified.
+     */
     public static Optional<SymmetricFactor> of(DMatrixRMaj matrix) {
         CholeskyDecomposition_F64<DMatrixRMaj> cholesky = DecompositionFactory_DDRM.chol(matrix.numRows, true);
         return cholesky.decompose(matrix.copy()) ? Optional.of(new SymmetricFactor(cholesky.getT(null))) : Optional.empty();
     }
 
-    /** A⁻¹ b. A new array. @param b Not modified. */
+    /**
+     * A⁻¹ b, as long as b, in its unit over that of A. A new array.
+     *
+     * @param b n long, of any unit. Not modified.
+     */
     public double[] solve(double[] b) {
         double[] x = b.clone();
         TriangularSolver_DDRM.solveL(lower.data, x, x.length);

@@ -2,7 +2,6 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * Turns residual spectra of all outputs into independent numbers of unit variance: W r with Wᴴ W = S⁻¹, where
@@ -16,8 +15,8 @@ public final class Whitening {
 
     private final Window window;
     private final int outputs;
-    /** Lower triangular W, by line, complex. */
-    private final double[] factor;
+    /** Lower triangular W, entry (i, j) at i m + j, complex by line; empty where it is zero at every line. */
+    private final double[][] factor;
     private final int blind;
     private final double logDeterminant;
 
@@ -31,8 +30,9 @@ public final class Whitening {
         this.outputs = noise.length;
         this.blind = blind;
         int m = outputs;
-        factor = new double[2 * m * m * window.lines()];
+        double[][] entries = new double[m * m][2 * window.lines()];
         double[] s = new double[2 * m * m];
+        double[] w = new double[2 * m * m];
         double sum = 0;
         for (int line = 0; line < window.lines(); line++) {
             Arrays.fill(s, 0);
@@ -46,20 +46,30 @@ public final class Whitening {
             for (int i = 0; i < m; i++) {
                 sum += 2 * Math.log(s[2 * (i * m + i)]);
             }
-            invertTriangle(s, factor, 2 * m * m * line, m);
+            invertTriangle(s, w, m);
+            for (int e = 0; e < m * m; e++) {
+                entries[e][2 * line] = w[2 * e];
+                entries[e][2 * line + 1] = w[2 * e + 1];
+            }
         }
+        factor = Arrays.stream(entries).map(entry -> Arrays.stream(entry).allMatch(part -> part == 0) ? new double[0] : entry)
+                .toArray(double[][]::new);
         logDeterminant = sum;
     }
 
     /**
      * Noise from one source that reaches all outputs.
      *
-     * @param power    variance of each part of a line, by line. Not modified. @param transfer its way to each output at the window's
-     *                 lines, by output. Not modified.
+     * @param power    variance of each part of a line, by line. Not modified.
+     * @param transfer its way to each output at the window's lines, by output. Not modified.
      */
     record Source(double[] power, double[][] transfer) {
 
-        /** One so strong at every line that nothing is seen along its way. @param noise standard deviation of a sample, by output */
+        /**
+         * One so strong at every line that nothing is seen along its way.
+         *
+         * @param noise standard deviation of a sample, by output
+         */
         static Source deafening(double[] noise, double[][] transfer) {
             double[] power = new double[transfer[0].length / 2];
             for (int line = 0; line < power.length; line++) {
@@ -115,7 +125,7 @@ public final class Whitening {
 
     /** Position of an output's line in {@link #whiten}'s answer. */
     int index(int line, int output) {
-        return 2 * (line * outputs + output);
+        return 2 * (output * window.lines() + line);
     }
 
     /**
@@ -124,28 +134,25 @@ public final class Whitening {
      * @param spectra by output, as {@link Window#spectrum} gives them; an empty array stands for zero. Not modified.
      */
     double[] whiten(double[][] spectra) {
-        int m = outputs;
         double[] out = new double[size()];
-        int[] some = IntStream.range(0, m).filter(j -> spectra[j].length > 0).toArray();
-        for (int line = 0; line < window.lines(); line++) {
-            for (int i = some.length == 0 ? m : some[0]; i < m; i++) {
-                int row = 2 * m * (m * line + i);
-                double sumRe = 0;
-                double sumIm = 0;
-                for (int g = 0; g < some.length && some[g] <= i; g++) {
-                    int j = some[g];
-                    double re = spectra[j][2 * line];
-                    double im = spectra[j][2 * line + 1];
-                    double wr = factor[row + 2 * j];
-                    double wi = factor[row + 2 * j + 1];
-                    sumRe += wr * re - wi * im;
-                    sumIm += wr * im + wi * re;
-                }
-                out[index(line, i)] = sumRe;
-                out[index(line, i) + 1] = sumIm;
+        for (int i = 0; i < outputs; i++) {
+            for (int j = 0; j <= i; j++) {
+                addProduct(factor[i * outputs + j], spectra[j], index(0, i), out);
             }
         }
         return out;
+    }
+
+    /**
+     * @param a complex
+     * @param b complex; nothing where one of both is empty
+     * @param at where the products are added. Modified.
+     */
+    private static void addProduct(double[] a, double[] b, int at, double[] out) {
+        for (int k = 0; k < Math.min(a.length, b.length); k += 2) {
+            out[at + k] += a[k] * b[k] - a[k + 1] * b[k + 1];
+            out[at + k + 1] += a[k] * b[k + 1] + a[k + 1] * b[k];
+        }
     }
 
     /** S = L Lᴴ, L in the lower triangle of s. */
@@ -173,22 +180,22 @@ public final class Whitening {
         }
     }
 
-    private static void invertTriangle(double[] l, double[] out, int base, int m) {
+    private static void invertTriangle(double[] l, double[] out, int m) {
         for (int j = 0; j < m; j++) {
-            out[base + 2 * (j * m + j)] = 1 / l[2 * (j * m + j)];
+            out[2 * (j * m + j)] = 1 / l[2 * (j * m + j)];
             for (int i = j + 1; i < m; i++) {
                 double re = 0;
                 double im = 0;
                 for (int k = j; k < i; k++) {
                     double ar = l[2 * (i * m + k)];
                     double ai = l[2 * (i * m + k) + 1];
-                    double br = out[base + 2 * (k * m + j)];
-                    double bi = out[base + 2 * (k * m + j) + 1];
+                    double br = out[2 * (k * m + j)];
+                    double bi = out[2 * (k * m + j) + 1];
                     re += ar * br - ai * bi;
                     im += ar * bi + ai * br;
                 }
-                out[base + 2 * (i * m + j)] = -re / l[2 * (i * m + i)];
-                out[base + 2 * (i * m + j) + 1] = -im / l[2 * (i * m + i)];
+                out[2 * (i * m + j)] = -re / l[2 * (i * m + i)];
+                out[2 * (i * m + j) + 1] = -im / l[2 * (i * m + i)];
             }
         }
     }

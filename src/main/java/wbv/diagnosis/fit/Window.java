@@ -19,7 +19,11 @@ public final class Window {
     private final int lines;
     private final double spacing;
 
-    /** @param start first sample @param most samples at most; a few less are used where the transform wants it @param rate [Hz] */
+    /**
+     * @param start first sample
+     * @param most samples at most; a few less are used where the transform wants it
+     * @param rate [Hz]
+     */
     Window(int start, int most, double rate) {
         this(start, most, rate, LOW);
     }
@@ -63,7 +67,7 @@ public final class Window {
         return spacing;
     }
 
-    /** Sum of the taper's squares: white noise of unit variance has this energy under it. */
+    /** Sum of the taper's squares [1]: white noise of unit variance has this energy under it. */
     public double weight() {
         return 2 / (scale * scale);
     }
@@ -75,9 +79,10 @@ public final class Window {
 
     /**
      * The spectrum of a series in this window: white noise of standard deviation s gives lines whose real and imaginary parts have
-     * standard deviation s each, however many samples count.
+     * standard deviation s each, in the series' unit, however many samples count.
      *
-     * @param series of the whole recording. Not modified. @param valid samples that count; the others are taken as 0
+     * @param series of the whole recording, of any unit. Not modified.
+     * @param valid samples that count; the others are taken as 0
      */
     public double[] spectrum(double[] series, boolean[] valid) {
         double[] x = new double[taper.length];
@@ -98,9 +103,10 @@ public final class Window {
     }
 
     /**
-     * The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0.
+     * The series, in the unit of the spectrum, of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines
+     * outside are 0.
      *
-     * @param spectrum Not modified.
+     * @param spectrum of any unit. Not modified.
      */
     public double[] series(double[] spectrum) {
         double[] all = new double[2 * (first + lines)];

@@ -33,7 +33,8 @@ final class WrongWay {
      * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where
      * these are not free.
      *
-     * @param x of the candidate. Not modified. @param ran what the candidate does there; asked only where ways are free
+     * @param x of the candidate. Not modified.
+     * @param ran what the candidate does there; asked only where ways are free
      */
     static ErrorShapes of(Evidence evidence, Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());

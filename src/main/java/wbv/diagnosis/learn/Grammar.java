@@ -80,7 +80,11 @@ final class Grammar {
     /** By how much slower than a sitter it moves. */
     private final double pace;
 
-    /** @param fitted the linear model beside which the law acts @param motion of its links @param modulators of it */
+    /**
+     * @param fitted the linear model beside which the law acts
+     * @param motion of its links
+     * @param modulators of it
+     */
     Grammar(Evidence evidence, Assembly fitted, Motion motion, ModulatorSeries modulators, int link) {
         this.evidence = evidence;
         this.fitted = fitted;
@@ -111,7 +115,11 @@ final class Grammar {
         return Arrays.stream(texts).map(Shape::parse).toList();
     }
 
-    /** Every term that is not in a law already. @param known terms of the law so far */
+    /**
+     * Every term that is not in a law already.
+     *
+     * @param known terms of the law so far
+     */
     List<Hypothesis> terms(List<Learned> known) {
         List<Hypothesis> all = new ArrayList<>();
         ALONE.forEach(shape -> all.add(term(shape, Modulator.NONE, 1)));

@@ -63,22 +63,22 @@ public final class LatentForce {
         return whole.series(estimate.seenLaw());
     }
 
-    /** The force at the free run's rate [N]. */
+    /** The force at the free run's rate, by sample [N]. */
     public double[] fineForce() {
         return whole.fineSeries(estimate.force());
     }
 
-    /** The law at the free run's rate [N]. */
+    /** The law at the free run's rate, by sample [N]. */
     public double[] fineLaw() {
         return whole.fineSeries(estimate.law());
     }
 
-    /** Relative displacement of the link at the free run's rate [m]. */
+    /** Relative displacement of the link at the free run's rate, by sample [m]. */
     public double[] fineDisplacement() {
         return whole.fineSeries(estimate.stretch());
     }
 
-    /** Relative velocity of the link at the free run's rate [m/s]. */
+    /** Relative velocity of the link at the free run's rate, by sample [m/s]. */
     public double[] fineVelocity() {
         return whole.fineSeries(speed());
     }

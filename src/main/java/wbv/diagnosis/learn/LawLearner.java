@@ -79,7 +79,7 @@ public final class LawLearner {
      *
      * @param fit   by free run
      * @param terms that it adds to what was known
-     * @param gain by how much it lowers the cost of the model without a law, as {@link #weighed}
+     * @param gain by how much it lowers the cost [1] of the model without a law, as {@link #weighed}
      * @param of   how many terms each of its own was chosen
      * @param unit mean square of the residual that the best fit so far leaves; 1 at least
      */
@@ -210,7 +210,11 @@ public final class LawLearner {
         return out;
     }
 
-    /** A fit with another term in the place of one. @param term begins with the coefficient of the one that it replaces */
+    /**
+     * A fit with another term in the place of one.
+     *
+     * @param term begins with the coefficient of the one that it replaces
+     */
     private Fitter.State replaced(Sentence sentence, int at, Hypothesis term) {
         Fitter.State fit = sentence.fit();
         List<Hypothesis> terms = new ArrayList<>(sentence.terms());
@@ -230,7 +234,11 @@ public final class LawLearner {
         return settled(search.fitter().look(with, x, base.frame()));
     }
 
-    /** The most promising laws, or terms beside a law, fitted by free run, most evident first. @param x where terms are scored */
+    /**
+     * The most promising laws, or terms beside a law, fitted by free run, most evident first.
+     *
+     * @param x where terms are scored
+     */
     private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Predicate<Hypothesis> open) {
         List<Learned> known = on.at(x).laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
         return fitted(on, x, link, most, grammar -> grammar.terms(known), open);

@@ -26,8 +26,10 @@ public final class LawShape {
     /**
      * Asks a law about the motion that it was found in.
      *
-     * @param r deflections that occurred [m]. Not modified.
-     * @param v velocities that occurred [m/s]. Not modified.
+     * @param stiffness of the link [N/m]
+     * @param damping of the link [N s/m]
+     * @param r deflections that occurred, by sample [m]. Not modified.
+     * @param v velocities that occurred, by sample [m/s]. Not modified.
      * @param samples of the record
      */
     public LawShape(Law law, double stiffness, double damping, double[] r, double[] v, Clock clock, int samples) {
@@ -57,14 +59,14 @@ public final class LawShape {
                 && IntStream.range(1, CURVE).allMatch(i -> Math.abs(still[i] - moving[i]) <= 1e-9 * (1 + Math.abs(still[i])));
     }
 
-    /** Deflection or velocity, and the force there [N]. */
+    /** Two series: deflection or velocity, and the force there [N]. */
     public double[][] curve(Side side) {
         double[] ramp = ramp(side);
         double[] out = forced(side, ramp, repeated(CURVE, 0));
         return new double[][] {Arrays.copyOfRange(ramp, 1, CURVE), Arrays.copyOfRange(out, 1, CURVE)};
     }
 
-    /** Time [s], stiffness [N/m] and damping [N s/m] of link and law together. */
+    /** Three series: time [s], stiffness [N/m] and damping [N s/m] of link and law together. */
     public double[][] overTime() {
         double step = 1 / rate;
         double[] k = law.series(repeated(samples, 1), repeated(samples, 0), stiffness, damping, step, new double[0]);

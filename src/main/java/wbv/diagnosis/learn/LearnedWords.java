@@ -24,7 +24,12 @@ public final class LearnedWords {
     private final List<Learned> terms;
     private final boolean about;
 
-    /** Looks up the terms; none where the link has no learned law. @param model that holds the law @param where its link */
+    /**
+     * Looks up the terms; none where the link has no learned law.
+     *
+     * @param model that holds the law
+     * @param where its link
+     */
     public LearnedWords(Model model, String where) {
         this.model = model;
         this.about = model.links().stream().filter(link -> link.name().equals(where)).anyMatch(model::about);

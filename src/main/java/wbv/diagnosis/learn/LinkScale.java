@@ -9,7 +9,10 @@ import wbv.diagnosis.fit.Evidence;
  * @param deflection its unit
  * @param velocity its unit
  * @param effort what it carries
- * @param force     its unit @param stiff from N/m, or N m/rad, to the unit shown @param stiffness its unit @param damping unit of a damping
+ * @param force     its unit
+ * @param stiff from N/m, or N m/rad, to the unit shown
+ * @param stiffness its unit
+ * @param damping unit of a damping
  */
 public record LinkScale(double turn, String deflection, String velocity, String effort, String force, double stiff, String stiffness,
         String damping) {

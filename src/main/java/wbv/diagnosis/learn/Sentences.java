@@ -39,7 +39,11 @@ final class Sentences {
     private final int link;
     private final List<String> likely = new ArrayList<>();
 
-    /** @param state where terms are scored, with its derivatives @param motion measured, of the model there @param modulators of that */
+    /**
+     * @param state where terms are scored, with its derivatives
+     * @param motion measured, of the model there
+     * @param modulators of that
+     */
     Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link) {
         this.state = state;
         this.link = link;
@@ -51,8 +55,10 @@ final class Sentences {
     /**
      * A law as it is proposed.
      *
-     * @param terms   of which it is the sum @param values of their numbers, by term
-     * @param stiffness by how much the link's own changes beside it [N/m] @param damping likewise [N s/m]
+     * @param terms   of which it is the sum
+     * @param values of their numbers, by term
+     * @param stiffness by how much the link's own changes beside it [N/m]
+     * @param damping likewise [N s/m]
      * @param worth   logarithm of its evidence to first order [nat]
      */
     record Proposal(List<Hypothesis> terms, List<double[]> values, double stiffness, double damping, double worth) {
@@ -62,7 +68,11 @@ final class Sentences {
         }
     }
 
-    /** A term at a start. @param columns what its amplitudes do */
+    /**
+     * A term at a start.
+     *
+     * @param columns what its amplitudes do
+     */
     private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) {}
 
     /**
@@ -205,9 +215,8 @@ final class Sentences {
     }
 
     /**
-     * Coordinates of a candidate that holds the terms of a proposal, from which it is fitted.
-     *
-     * @param x of the state, where terms were scored
+     * Coordinates of a candidate that holds the terms of a proposal, from which it is fitted: those of the state where terms were scored,
+     * and their own.
      */
     double[] start(Proposal proposal, Candidate with) {
         Candidate own = state.candidate();

@@ -48,7 +48,11 @@ record EndStop() implements Mechanism {
         return out;
     }
 
-    /** @param k its stiffness to start from @param least gap to start from [m] @param shares of the time in which it is not touched */
+    /**
+     * @param k its stiffness to start from
+     * @param least gap to start from [m]
+     * @param shares of the time in which it is not touched
+     */
     private Hypothesis stop(Scene.Link link, Law.Side side, double k, List<Number> bounds, double least, double... shares) {
         return Hypothesis.law(this, link, side.name().toLowerCase(Locale.ROOT), new BumpStop(k, link.deflection(), side), bounds,
                 starts(link, side, k, least, shares));

@@ -35,13 +35,21 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         starts = List.copyOf(starts);
     }
 
-    /** A law in a link. @param bounds of the law's numbers, in their order; their keys are the law's */
+    /**
+     * A law in a link.
+     *
+     * @param bounds of the law's numbers, in their order; their keys are the law's
+     */
     public static Hypothesis law(Mechanism kind, Scene.Link link, String form, Law law, List<Number> bounds, List<Start> starts) {
         return new Hypothesis(kind, link.name(), form, List.of(new Addition.InLink(link.index(), law)),
                 Number.named(law.getClass(), bounds), starts);
     }
 
-    /** A fault of the sensor of an output. @param bounds as of a law */
+    /**
+     * A fault of the sensor of an output.
+     *
+     * @param bounds as of a law
+     */
     public static Hypothesis fault(Mechanism kind, Scene scene, int output, SensorFault fault, List<Number> bounds, List<Start> starts) {
         return fault(kind, scene, output, "", fault, bounds, starts);
     }
@@ -110,24 +118,39 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /**
      * A number.
      *
-     * @param unit    size of one step for an additive number, 0 for one that is found by factors
-     * @param low     bound
-     * @param high    bound
-     * @param nothing value at which an amplitude does nothing
+     * @param unit    of the number: size of one step for an additive number, 0 for one that is found by factors
+     * @param low     bound, in the number's unit
+     * @param high    bound, likewise
+     * @param nothing value, likewise, at which an amplitude does nothing
      */
     public record Number(String key, double unit, double low, double high, double nothing) {
 
-        /** Nothing at 0. */
+        /**
+         * Nothing at 0.
+         *
+         * @param low in the number's unit
+         * @param high likewise
+         */
         public Number(String key, double unit, double low, double high) {
             this(key, unit, low, high, 0);
         }
 
-        /** Found by factors. Named by the law that it belongs to. */
+        /**
+         * Found by factors. Named by the law that it belongs to.
+         *
+         * @param low in the number's unit
+         * @param high likewise
+         */
         public static Number factor(double low, double high) {
             return new Number("", 0, low, high);
         }
 
-        /** Found by steps. Named by the law that it belongs to. */
+        /**
+         * Found by steps. Named by the law that it belongs to.
+         *
+         * @param low in the number's unit
+         * @param high likewise
+         */
         public static Number sum(double unit, double low, double high) {
             return new Number("", unit, low, high);
         }
@@ -156,34 +179,50 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /**
      * A place to start from.
      *
-     * @param values  by number
-     * @param sizes   by number: of an amplitude, how far from {@link Number#nothing} it is looked at to first order
+     * @param values  by number, in its unit
+     * @param sizes   by number, in its unit: of an amplitude, how far from {@link Number#nothing} it is looked at to first order
      * @param columns groups of numbers that scale together with the strength of the effect, to first order; none where the effect has
      *                no linear amplitude
      */
     public record Start(double[] values, double[] sizes, List<int[]> columns) {
 
-        /** Amplitudes that are nothing at 0. Not copied, not modified. */
+        /** Amplitudes that are nothing at 0, by number, in its unit. Not copied, not modified. */
         public Start(double[] values, List<int[]> columns) {
             this(values, values, columns);
         }
 
-        /** The same. Not copied, not modified. */
+        /**
+         * The same. Not copied, not modified.
+         *
+         * @param values by number, in its unit
+         */
         public static Start of(double[] values, int[]... columns) {
             return new Start(values, List.of(columns));
         }
 
-        /** No amplitude. */
+        /**
+         * No amplitude.
+         *
+         * @param values one a number, in its unit
+         */
         public static Start fixed(double... values) {
             return of(values);
         }
 
-        /** A single number, an amplitude. */
+        /**
+         * A single number, an amplitude.
+         *
+         * @param value in the number's unit
+         */
         public static Start scaled(double value) {
             return of(new double[] {value}, new int[] {0});
         }
 
-        /** A start for each value. @param at Not modified. */
+        /**
+         * A start for each value.
+         *
+         * @param at as many as there shall be starts, in the unit of the number. Not modified.
+         */
         public static List<Start> grid(double[] at, DoubleFunction<Start> make) {
             return Arrays.stream(at).mapToObj(make).toList();
         }

@@ -29,7 +29,10 @@ public record Hysteresis() implements Mechanism {
         return List.of(law(link, factor(3e-5, 2e-2), r, 0.2, 0.7, 2));
     }
 
-    /** @param r unit of the yield deflection [m] @param yields to start from, in that unit */
+    /**
+     * @param r unit of the yield deflection [m]
+     * @param yields to start from, in that unit
+     */
     private Hypothesis law(Scene.Link link, Number yield, double r, double... yields) {
         return Hypothesis.law(this, link, "", new BoucWen(0.1, r), List.of(sum(0.1, 0, 1), yield),
                 grid(yields, q -> Start.of(new double[] {0.1, q * r}, new int[] {0})));

@@ -22,7 +22,11 @@ public record LearnedForce() implements Mechanism {
         return scene.onRig() ? List.of() : List.of(inertance(link.index(), link.name(), unit));
     }
 
-    /** A force in proportion to the acceleration of one end against the other. @param unit of a search for it [kg] */
+    /**
+     * A force in proportion to the acceleration of one end against the other.
+     *
+     * @param unit of a search for it [kg]
+     */
     public Hypothesis inertance(int link, String where, double unit) {
         return new Hypothesis(this, where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
                 List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));

@@ -36,7 +36,11 @@ public sealed interface Mechanism
         return List.of();
     }
 
-    /** Its numbers as a reader expects them. @param numbers those of a hypothesis of its */
+    /**
+     * Its numbers as a reader expects them.
+     *
+     * @param numbers those of a hypothesis of its
+     */
     default List<Told> told(List<Hypothesis.Number> numbers) {
         return IntStream.range(0, numbers.size()).mapToObj(i -> Told.plain(numbers.get(i).key(), i)).toList();
     }
@@ -46,7 +50,11 @@ public sealed interface Mechanism
         return told(hypothesis.numbers());
     }
 
-    /** What is open of a number beside what a fit knows. @param key of the number as it is told */
+    /**
+     * What is open of a number beside what a fit knows.
+     *
+     * @param key of the number as it is told
+     */
     default Doubt doubt(String key) {
         return Doubt.SHARE;
     }

@@ -27,7 +27,7 @@ import wbv.recording.Quantity;
  * @param across    channels of other axes than the model's that were recorded and are no part of it, by location and quantity
  * @param beside    channels of a quantity along other axes than a sensor's own, recorded where it is
  * @param measured  by output of the model: mean removed, gaps filled
- * @param lines     frequencies at which what the model leaves stands out [Hz]
+ * @param lines     as many as there are frequencies at which what the model leaves stands out [Hz]
  * @param spacing   distance of two frequencies that the stretch tells apart [Hz]
  * @param step      time between two samples [s]
  * @param end       where the stretch that is fitted ends [s]
@@ -80,7 +80,12 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
         return sensor.map(Channel::location).orElse("");
     }
 
-    /** A channel by which a link may go. @param level its range @param levels parts of the range in which it was, each for a while */
+    /**
+     * A channel by which a link may go.
+     *
+     * @param level its range
+     * @param levels parts of the range in which it was, each for a while
+     */
     public record Schedule(Modulator.Level level, int levels) {}
 
     /**

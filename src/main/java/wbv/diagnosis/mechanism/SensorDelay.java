@@ -42,7 +42,10 @@ record SensorDelay() implements Mechanism {
                 late(scene, device, new SensorFault.Delay(0, 1e-5), 0.005, List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
     }
 
-    /** @param device outputs of one clock @param drift most of it [s/s] */
+    /**
+     * @param device outputs of one clock
+     * @param drift most of it [s/s]
+     */
     private Hypothesis late(Scene scene, List<Integer> device, SensorFault fault, double drift, List<Start> starts) {
         List<Number> bounds = List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -drift, drift));
         return device.size() == 1 ? Hypothesis.fault(this, scene, device.get(0), fault, bounds, starts)

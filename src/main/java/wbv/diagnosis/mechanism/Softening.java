@@ -25,7 +25,10 @@ record Softening() implements Mechanism {
         return List.of(law(link, factor(5e-5, 5e-2), r, 0.25, 0.6, 1.5, 4));
     }
 
-    /** @param r unit of the knee [m] @param knees to start from, in that unit */
+    /**
+     * @param r unit of the knee [m]
+     * @param knees to start from, in that unit
+     */
     private Hypothesis law(Scene.Link link, Number knee, double r, double... knees) {
         return Hypothesis.law(this, link, "", new SaturatingSpring(r), List.of(knee), grid(knees, q -> fixed(q * r)));
     }

@@ -7,7 +7,7 @@ import java.util.function.ToDoubleFunction;
  *
  * @param key       with its unit
  * @param of        which numbers of the hypothesis
- * @param weights   powers of theirs in a product, factors in a sum
+ * @param weights   one for each of them: powers of theirs in a product, factors in a sum
  * @param kind      how it is made
  * @param value     of a product, from the values of those numbers
  */
@@ -31,7 +31,12 @@ public record Told(String key, int[] of, double[] weights, Kind kind, ToDoubleFu
         return new Told(key, new int[] {one, other}, new double[] {1, 1}, Kind.AMPLITUDE, x -> Math.hypot(x[0], x[1]));
     }
 
-    /** A product of powers. Arrays are not copied, not modified. @param value the product itself, with the factor that it has */
+    /**
+     * A product of powers. Arrays are not copied, not modified.
+     *
+     * @param powers exponents, one for each number
+     * @param value the product itself, with the factor that it has
+     */
     public static Told product(String key, int[] of, double[] powers, ToDoubleFunction<double[]> value) {
         return new Told(key, of, powers, Kind.PRODUCT, value);
     }

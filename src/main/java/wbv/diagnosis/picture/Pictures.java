@@ -29,7 +29,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param heldOut samples that took no part in the fit
      * @param map     where in frequency and time the models fail
      * @param transfer from the base to this output; empty where too little was recorded
-     * @param nrmseGiven root mean square error over that of the signal, held out, with the user's own values
+     * @param nrmseGiven ratio of the root mean square error to that of the signal, held out, with the user's own values
      * @param degrees  independent numbers behind {@link Diagnosis.Located#times}
      */
     public record View(String channel, String unit, Traces heldOut, ResidualMap map, List<Transfer> transfer, double nrmseGiven,
@@ -57,13 +57,20 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      *
      * @param from time of the first [s]
      * @param step between two [s]
-     * @param measured NaN where it does not count
+     * @param measured by sample, in the output's unit; NaN where it does not count
+     * @param before likewise, the earlier of the models
+     * @param after likewise, the later
      */
     public record Traces(double from, double step, double[] measured, double[] before, double[] after) {}
 
     /**
      * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and
      * frequency [dB]; NaN where nothing was measured.
+     *
+     * @param time by column [s]
+     * @param frequency by row [Hz]
+     * @param before by time and frequency [dB], of the earlier model
+     * @param after likewise, of the later
      */
     public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) {}
 
@@ -72,8 +79,12 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      *
      * @param input  channel of the excitation
      * @param unit   of the moduli
-     * @param error  relative standard error of what was measured
+     * @param frequency by line [Hz]
+     * @param measured by line, in the unit of the moduli
+     * @param error  relative standard error of what was measured, by line
      * @param usable where coherence and excitation back what was measured
+     * @param before by line, in the unit of the moduli, of the earlier model
+     * @param after  likewise, of the later
      */
     public record Transfer(String input, String unit, double[] frequency, double[] measured, double[] error, boolean[] usable,
             double[] before,
@@ -84,9 +95,9 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      *
      * @param where  link or body
      * @param key    with its unit, such as {@code stiffness_N_per_m}
-     * @param given  by the user
-     * @param before fitted without what is missing
-     * @param after  in the final model
+     * @param given  by the user, in the unit of its key
+     * @param before likewise, fitted without what is missing
+     * @param after  likewise, in the final model
      */
     public record Value(String where, String key, double given, double before, double after) {}
 

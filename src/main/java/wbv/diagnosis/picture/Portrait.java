@@ -14,7 +14,12 @@ import java.util.List;
  */
 public record Portrait(String title, Scale x, Scale y, List<Trail> trails, String note) {
 
-    /** An axis. @param unit may be empty @param log whether it is logarithmic */
+    /**
+     * An axis.
+     *
+     * @param unit may be empty
+     * @param log whether it is logarithmic
+     */
     public record Scale(String label, String unit, boolean log) {
         static Scale of(String label, String unit) {
             return new Scale(label, unit, false);
@@ -40,9 +45,9 @@ public record Portrait(String title, Scale x, Scale y, List<Trail> trails, Strin
     /**
      * Points or a curve. Arrays are not copied.
      *
-     * @param x         rising for {@link Kind#MEASURED}
-     * @param y         as many; NaN is a gap
-     * @param deviation standard error of each y; empty if not known
+     * @param x         by point, in the unit of its scale, rising for {@link Kind#MEASURED}
+     * @param y         as many, in the unit of its scale; NaN is a gap
+     * @param deviation standard error of each y, as many, in its unit; empty if not known
      */
     public record Trail(String name, Kind kind, double[] x, double[] y, double[] deviation) {
         public Trail {

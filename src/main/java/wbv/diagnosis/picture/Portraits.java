@@ -229,7 +229,11 @@ final class Portraits {
                 noted(latent, "Above 1 Hz. The slope is the coupled mass."));
     }
 
-    /** Samples of y over x, shown in thousandths, and a straight line. @param unit factor of y to the unit shown */
+    /**
+     * Samples of y over x, shown in thousandths, and a straight line.
+     *
+     * @param unit factor of y to the unit shown
+     */
     private List<Portrait.Trail> line(LatentForce latent, double[] x, double[] y, double unit, double slope, String name) {
         List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(x, 1e3, y, unit));
         double end = Arrays.stream(x).map(Math::abs).max().orElse(1);

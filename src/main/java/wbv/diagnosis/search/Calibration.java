@@ -12,8 +12,10 @@ import java.util.Arrays;
  * @param forms    how many independent parts the form of a law has [1]: twice the power of the excess with which evidence falls
  * @param chance   excess that chance and effects of second order leave, in units of the noise [1]
  * @param lapse    probability that an answer is wrong whatever its evidence says [1] (Laplace 1814: one more than was seen)
- * @param answers  to how many recordings it rests on @param score mean logarithm of the probability of what was right about them [nat]
- * @param made     by which command @param commit of which program
+ * @param answers  to how many recordings it rests on
+ * @param score mean logarithm of the probability of what was right about them [nat]
+ * @param made     by which command
+ * @param commit of which program
  */
 public record Calibration(double forms, double chance, double lapse, int answers, double score, String made, String commit) {
 
@@ -34,7 +36,11 @@ public record Calibration(double forms, double chance, double lapse, int answers
         return STANDARD;
     }
 
-    /** Excess that stands for whatever is in no library. @param without excess of the model alone */
+    /**
+     * Excess [1] that stands for whatever is in no library.
+     *
+     * @param without excess of the model alone [1]
+     */
     public static double unlisted(double without) {
         return Priors.USUAL.unlisted() * without;
     }
@@ -53,7 +59,7 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
      * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
-     * @return logarithms of their evidences but for what is the same for all [nat]
+     * @return as many, logarithms of their evidences but for what is the same for all [nat]
      */
     public double[] evidence(double... left) {
         double least = Arrays.stream(left).min().orElse(1);

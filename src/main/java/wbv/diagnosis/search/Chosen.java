@@ -25,7 +25,8 @@ public record Chosen(Fitter.State fit, double price) {
      * formula is quite right, so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What
      * does worse on data not used is not.
      *
-     * @param heldOut mean square of what this leaves of data not used @param otherHeldOut of what the other does
+     * @param heldOut mean square of the whitened residual that this leaves of data not used
+     * @param otherHeldOut likewise, of what the other does
      */
     public boolean outweighs(double heldOut, Chosen other, double otherHeldOut) {
         double later = gain(heldOut, otherHeldOut);

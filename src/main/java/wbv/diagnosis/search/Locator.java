@@ -38,7 +38,11 @@ public final class Locator {
     /** What the model does where several fits begin, by the very numbers, as long as they are made: each takes some 10 MB. */
     private final Map<double[], Optional<Fitter.Ran>> begun = Collections.synchronizedMap(new IdentityHashMap<>());
 
-    /** Among the places of this evidence. @param baseline the model that is refitted */
+    /**
+     * Among the places of this evidence.
+     *
+     * @param baseline the model that is refitted
+     */
     public Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
         this.baseline = baseline;
@@ -47,7 +51,7 @@ public final class Locator {
     /**
      * All places one by one, best first; none with a single output, where every place explains everything.
      *
-     * @param x where fits start. Not modified.
+     * @param x where fits start: coordinates [1], one a knob. Not modified.
      */
     public List<Known.Ignoring> singles(double[] x) {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
@@ -67,7 +71,11 @@ public final class Locator {
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
     }
 
-    /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param all places one by one */
+    /**
+     * Pairs of places, best first; none where there are too few outputs to show that a third would not do.
+     *
+     * @param all places one by one
+     */
     List<Known.Ignoring> pairs(List<Known.Ignoring> all) {
         if (evidence.outputs().size() < FEWEST_OUTPUTS) {
             return List.of();
@@ -83,12 +91,20 @@ public final class Locator {
         return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
     }
 
-    /** What is left where one place is ignored. @param x where fits start */
+    /**
+     * What is left where one place is ignored.
+     *
+     * @param x where fits start
+     */
     double left(Place place, double[] x) {
         return found(List.of(new Asked(List.of(place), List.of(x, baseline.start()))), List.of()).get(0).reduced();
     }
 
-    /** The same as it was found among all places. @param place by its plain name */
+    /**
+     * The same as it was found among all places.
+     *
+     * @param place by its plain name
+     */
     static double left(List<Known.Ignoring> singles, Place place) {
         return singles.stream().filter(found -> found.places().get(0).equals(place)).findFirst().orElseThrow().reduced();
     }
@@ -100,7 +116,11 @@ public final class Locator {
     /** Places to be ignored, and where fits start then. */
     private record Asked(List<Place> places, List<double[]> starts) {}
 
-    /** Fits all a little, and the whole way those that are not hopeless then. @param shared where many of them start */
+    /**
+     * Fits all a little, and the whole way those that are not hopeless then.
+     *
+     * @param shared where many of them start
+     */
     private List<Known.Ignoring> found(List<Asked> all, List<double[]> shared) {
         Parallel.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
         List<Known.Ignoring> heat = sorted(
@@ -110,7 +130,11 @@ public final class Locator {
         return further(further(heat, HOPELESS), NEAR);
     }
 
-    /** More steps for those that leave no more than some times the excess of the best. @param found best first */
+    /**
+     * More steps for those that leave no more than some times the excess of the best.
+     *
+     * @param found best first
+     */
     private List<Known.Ignoring> further(List<Known.Ignoring> found, double times) {
         double reach = reach(found, times);
         return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
@@ -118,9 +142,11 @@ public final class Locator {
     }
 
     /**
-     * What a place may leave to be some times as far from the noise as the best; anything where none was looked at.
+     * What a place may leave, as a mean square of the whitened residual, to be some times as far from the noise as the best; anything where
+     * none was looked at.
      *
      * @param found best first
+     * @param times factor on the excess of the best
      */
     public static double reach(List<Known.Ignoring> found, double times) {
         return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());

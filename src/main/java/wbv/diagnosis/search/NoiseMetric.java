@@ -17,10 +17,17 @@ public final class NoiseMetric {
     private final double[] variance;
     private final List<Source> sources = new ArrayList<>();
 
-    /** @param power by line @param way to each output, spectra */
+    /**
+     * @param power by line
+     * @param way to each output, spectra
+     */
     private record Source(double[] power, double[][] way) {}
 
-    /** The metric of the noise that the evidence has found. @param assembly through which it reaches the outputs */
+    /**
+     * The metric of the noise that the evidence has found.
+     *
+     * @param assembly through which it reaches the outputs
+     */
     public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
         double[] omega = from.omega();
@@ -36,7 +43,7 @@ public final class NoiseMetric {
         });
     }
 
-    /** S at one line for one output: the variance of a sample of white noise as strong. */
+    /** S at one line for one output: the variance of a sample of white noise as strong, in the square of the output's unit. */
     public double variance(int output, int line) {
         double sum = variance[output];
         for (Source source : sources) {
@@ -47,7 +54,13 @@ public final class NoiseMetric {
         return sum;
     }
 
-    /** xᴴ S⁻¹ y at one line. @param x spectra by output @param y likewise. Neither is modified. @return real and imaginary part */
+    /**
+     * xᴴ S⁻¹ y at one line [1].
+     *
+     * @param x spectra by output, in its unit
+     * @param y likewise. Neither is modified.
+     * @return two numbers, real and imaginary part
+     */
     public double[] product(double[][] x, double[][] y, int line) {
         return product(x, y, line, sources.size());
     }

@@ -45,7 +45,11 @@ public final class PairSearch {
     private final Fitter.State base;
     private final List<Hypothesis> all;
 
-    /** Lists the hypotheses; nothing is simulated but the base. @param base the model without any mechanism, fitted */
+    /**
+     * Lists the hypotheses; nothing is simulated but the base.
+     *
+     * @param base the model without any mechanism, fitted
+     */
     public PairSearch(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.progress = progress;
@@ -121,13 +125,22 @@ public final class PairSearch {
         return one.outweighs(refinement.heldOut(one.fit()), other, refinement.heldOut(other.fit()));
     }
 
-    /** Whether a second place explains little beside one. @param alone excess where the one is ignored @param pairs on the same data */
+    /**
+     * Whether a second place explains little beside one.
+     *
+     * @param alone excess where the one is ignored
+     * @param pairs on the same data
+     */
     private static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
         List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
         return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
     }
 
-    /** Whether all that is missing enters at a place. @param best as a part of the data may show it */
+    /**
+     * Whether all that is missing enters at a place.
+     *
+     * @param best as a part of the data may show it
+     */
     private boolean atOnePlace(Known.Ignoring best) {
         return Refinement.excess(best.reduced()) <= QUIET
                 && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= QUIET;
@@ -144,7 +157,11 @@ public final class PairSearch {
                 .orElseGet(() -> new Looked(whole, whole.singles(base.x())));
     }
 
-    /** A second mechanism on top of each of the best firsts. @param partners what may stand beside a first */
+    /**
+     * A second mechanism on top of each of the best firsts.
+     *
+     * @param partners what may stand beside a first
+     */
     private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Function<Fitter.State, Predicate<Hypothesis>> partners) {
         List<Chosen> out = new ArrayList<>();
         for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
@@ -178,7 +195,8 @@ public final class PairSearch {
      * Hypotheses that may make a pair with the one of a fit: where whatever enters at two places leaves much, no two mechanisms there will
      * do.
      *
-     * @param places pairs of places that were looked at @param enough what they may leave
+     * @param places pairs of places that were looked at
+     * @param enough what they may leave
      */
     private static Predicate<Hypothesis> partners(Fitter.State first, List<Known.Ignoring> places, double enough) {
         Place own = Place.ofLast(first);

@@ -52,7 +52,8 @@ final class PlacePairs {
     /**
      * A pair at two places of which each mechanism shows while whatever acts at the other's place is ignored.
      *
-     * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
+     * @param places pairs of places, best first
+     * @param leaders single hypotheses fitted with nothing ignored
      */
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
         double good = Locator.reach(places, FORM);
@@ -179,7 +180,11 @@ final class PlacePairs {
         return refinement.begun(both, x);
     }
 
-    /** Carries the numbers of a hypothesis over from a fit. @param x filled in */
+    /**
+     * Carries the numbers of a hypothesis over from a fit.
+     *
+     * @param x filled in
+     */
     static void copy(Hypothesis hypothesis, Fitter.State from, Candidate to, double[] x) {
         int[] source = from.candidate().positions(hypothesis);
         int[] target = to.positions(hypothesis);

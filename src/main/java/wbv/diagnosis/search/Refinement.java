@@ -135,7 +135,11 @@ public final class Refinement {
         return out;
     }
 
-    /** More steps of those that may win yet. @param heat in any order; least cost first on return */
+    /**
+     * More steps of those that may win yet.
+     *
+     * @param heat in any order; least cost first on return
+     */
     private static void goOn(Fitter.State base, List<Trial> heat) {
         if (heat.isEmpty()) {
             return;
@@ -158,7 +162,11 @@ public final class Refinement {
         return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
     }
 
-    /** What is left beyond the noise; half of it at least, so that fits near the noise are alike. */
+    /**
+     * What is left beyond the noise [1]; half of it at least, so that fits near the noise are alike.
+     *
+     * @param reduced mean square of a whitened residual
+     */
     public static double excess(double reduced) {
         return Math.max(reduced - 1, 0.5);
     }
@@ -168,7 +176,11 @@ public final class Refinement {
         return explained(base, best.reduced());
     }
 
-    /** Part of a mismatch that is explained, 0 to 1. @param left mean square of the residual with it */
+    /**
+     * Part of a mismatch that is explained, 0 to 1.
+     *
+     * @param left mean square of the whitened residual with it
+     */
     public static double explained(Fitter.State base, double left) {
         return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
     }
@@ -246,7 +258,11 @@ public final class Refinement {
         return polish(fit.candidate(), fit.x());
     }
 
-    /** The same from coordinates at which nothing was simulated yet. @param x Not modified. */
+    /**
+     * The same from coordinates at which nothing was simulated yet.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
     public Fitter.State polish(Candidate candidate, double[] x) {
         Fitter.State once = polishedOnce(candidate, x);
         return polishedOnce(candidate, once.x());
@@ -261,7 +277,7 @@ public final class Refinement {
         return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), 15, 3e-4), 4);
     }
 
-    /** χ² per number on the held-out window. */
+    /** χ² per number on the held-out window [1]. */
     public double heldOut(Fitter.State fit) {
         return new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced();
     }

@@ -12,9 +12,9 @@ import wbv.body.number.Numbers;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Columns;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Gram;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
@@ -40,6 +40,7 @@ public final class Screening {
     private final Fitter.State state;
     private final Whitening whitening;
     private final Projection projection;
+    private final Columns slopes;
     private final double[][] products;
     private final Motion motion;
     private final Simulator simulator;
@@ -52,15 +53,28 @@ public final class Screening {
     private final double[] residual;
     private final ModulatorSeries modulators;
 
-    /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
+    /**
+     * What a hypothesis promises.
+     *
+     * @param gain reduction of χ² to first order [1]
+     * @param x coordinates [1], one a knob, from which to refit
+     */
     public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {}
 
-    /** Screens at a fit, modulators worked out where they are needed. @param state a fit with slopes */
+    /**
+     * Screens at a fit, modulators worked out where they are needed.
+     *
+     * @param state a fit with slopes
+     */
     public Screening(Evidence evidence, Fitter.State state, Motion motion) {
         this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
     }
 
-    /** The same with modulators that others share. @param modulators of the model there */
+    /**
+     * The same with modulators that others share.
+     *
+     * @param modulators of the model there
+     */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
         this.modulators = modulators;
         this.evidence = evidence;
@@ -77,6 +91,7 @@ public final class Screening {
         Normal normal = new Normal(state);
         this.gradient = normal.gradient();
         this.residual = state.residual();
+        this.slopes = new Columns(state.slopes());
         this.projection = normal.projection();
         this.products = normal.products();
         int n = gradient.length;
@@ -159,7 +174,11 @@ public final class Screening {
         return values;
     }
 
-    /** Whitened change of the residual that a hypothesis makes at given values. @param values Not modified. */
+    /**
+     * Whitened change of the residual, as long as that, that a hypothesis makes at given values.
+     *
+     * @param values by number, in its unit. Not modified.
+     */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
         if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
             return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
@@ -203,7 +222,11 @@ public final class Screening {
         return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
-    /** Whitened change of the residual that a force in a link makes. @param force at the free run's rate [N]. Not modified. */
+    /**
+     * Whitened change of the residual, as long as that, that a force in a link makes.
+     *
+     * @param force at the free run's rate, by sample [N]. Not modified.
+     */
     public double[] direction(int link, double[] force) {
         return seen(linear.answer(link, force));
     }
@@ -211,12 +234,12 @@ public final class Screening {
     /**
      * What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual.
      *
-     * @param direction not copied, not modified
+     * @param direction whitened, as long as the residual. Not copied, not modified
      */
     public Rest rest(double[] direction) {
         double[] own = projection.products(direction);
         double[] follow = projection.errors(own);
-        double[] cross = Gram.products(state.slopes(), direction);
+        double[] cross = slopes.products(direction);
         for (int p = 0; p < cross.length; p++) {
             cross[p] -= Fitter.dot(follow, products[p]);
         }
@@ -224,7 +247,16 @@ public final class Screening {
         return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));
     }
 
-    /** A direction with its products with all that may follow. @param gradient its product with what is left of the residual */
+    /**
+     * A direction with its products with all that may follow.
+     *
+     * @param direction whitened, as long as the residual
+     * @param own       its products with the sensors' errors [1], one an error
+     * @param follow    how the errors follow it [1], one an error
+     * @param cross     its products with the slopes, the errors following [1], one a knob
+     * @param held      how the knobs follow it [1], one a knob
+     * @param gradient  its product with what is left of the residual [1]
+     */
     public record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
 
         double product(Rest other) {
@@ -247,7 +279,11 @@ public final class Screening {
         return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
     }
 
-    /** The same of directions that are known. @param strength by direction. Modified. */
+    /**
+     * Gain [1] of the best combination of directions that are known.
+     *
+     * @param strength by direction [1]. Modified.
+     */
     public static double combined(List<Rest> rests, double[] strength) {
         int m = rests.size();
         double[][] a = new double[m][m];

@@ -42,7 +42,11 @@ public final class Search {
     private final Fitter fitter;
     private final BiConsumer<String, Double> progress;
 
-    /** On this evidence, with its library of mechanisms. @param progress told the step and the share of it that is done */
+    /**
+     * On this evidence, with its library of mechanisms.
+     *
+     * @param progress told the step and the share of it that is done
+     */
     public Search(Evidence evidence, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.refinement = new Refinement(evidence);
@@ -74,7 +78,11 @@ public final class Search {
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }
 
-    /** The same from one start. @param start Not modified. */
+    /**
+     * The same from one start.
+     *
+     * @param start coordinates [1], one a knob. Not modified.
+     */
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
         for (int round = 0; round < 3; round++) {
@@ -86,13 +94,19 @@ public final class Search {
     /**
      * Refitted hypotheses on top of a fit, least cost per number first.
      *
-     * @param base with its derivatives @param polished how many of the first are fitted to the end @param where which hypotheses to try
+     * @param base with its derivatives
+     * @param polished how many of the first are fitted to the end
+     * @param where which hypotheses to try
      */
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
         return leaders(base, polished, where, score -> true);
     }
 
-    /** The same of hypotheses that promise something to first order. @param least gain, see {@link Screening.Score} */
+    /**
+     * The same of hypotheses that promise something to first order.
+     *
+     * @param least gain [1], see {@link Screening.Score}
+     */
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, double least) {
         return leaders(base, polished, where, score -> score.gain() > least);
     }
@@ -201,7 +215,11 @@ public final class Search {
         return first(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where));
     }
 
-    /** The same wherever it may act. @param open which hypotheses to try */
+    /**
+     * The same wherever it may act.
+     *
+     * @param open which hypotheses to try
+     */
     public Optional<Fitter.State> best(Fitter.State base, Predicate<Hypothesis> open) {
         return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
     }

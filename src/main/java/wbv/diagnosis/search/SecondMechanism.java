@@ -39,7 +39,11 @@ public final class SecondMechanism {
     private final Supplier<PairSearch> pairs;
     private final Refinement refinement;
 
-    /** Beside mechanisms that were found on this evidence. @param pairs compares what is found */
+    /**
+     * Beside mechanisms that were found on this evidence.
+     *
+     * @param pairs compares what is found
+     */
     public SecondMechanism(Evidence evidence, Search search, Supplier<PairSearch> pairs) {
         this.evidence = evidence;
         this.pairs = pairs;
@@ -47,7 +51,11 @@ public final class SecondMechanism {
         this.refinement = search.refinement();
     }
 
-    /** The fit with a second mechanism; empty where nothing asks for one. @param searched whether a second one was looked for already */
+    /**
+     * The fit with a second mechanism; empty where nothing asks for one.
+     *
+     * @param searched whether a second one was looked for already
+     */
     public Optional<Chosen> of(Fitter.State single, boolean searched) {
         if (evidence.onRig()) {
             return Optional.empty();

@@ -59,7 +59,11 @@ public final class Whereabouts {
         this.likely = likely;
     }
 
-    /** Nothing is known. @param baseline what may explain a part of the mismatch already */
+    /**
+     * Nothing is known.
+     *
+     * @param baseline what may explain a part of the mismatch already
+     */
     public static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
         return new Whereabouts(evidence, baseline, Places.of(List.of(), true), hypothesis -> true);
     }
@@ -80,7 +84,8 @@ public final class Whereabouts {
      * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force,
      * which nobody knows yet, may be what makes one body look better than all other places.
      *
-     * @param baseline what may explain a part of the mismatch already @param x of that as it was fitted. Not modified.
+     * @param baseline what may explain a part of the mismatch already
+     * @param x of that as it was fitted: coordinates [1], one a knob. Not modified.
      */
     public static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
         if (evidence.onRig()) {

@@ -82,7 +82,11 @@ final class Yielding {
                 && in.law().getClass() == law).findFirst();
     }
 
-    /** Hysteresis in two stages, if it does plainly better than in one. @param single cost of one stage */
+    /**
+     * Hysteresis in two stages, if it does plainly better than in one.
+     *
+     * @param single cost of one stage
+     */
     private List<Fitter.State> staged(Fitter.State from, int link, double stiffness, double share, double yield, double single) {
         Hypothesis two = new Hysteresis().twoStages(link, from.candidate().last().where(), share, yield);
         return polished(from, link, stiffness, two, two.starts().stream().map(Hypothesis.Start::values).toList()).stream()

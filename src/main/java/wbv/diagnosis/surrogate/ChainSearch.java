@@ -288,7 +288,11 @@ final class ChainSearch {
         return new Candidate(baseline.template(), knobs, List.of());
     }
 
-    /** The measured bodies, alike, each on the one before. @param start which natural frequencies to begin with */
+    /**
+     * The measured bodies, alike, each on the one before.
+     *
+     * @param start which natural frequencies to begin with
+     */
     private Model chain(List<Channel> order, int start) {
         return chain(order, start, channel -> 1);
     }
@@ -358,7 +362,12 @@ final class ChainSearch {
         return new Model.Link(from, to, stiffness, damping, Optional.empty(), List.of(), List.of());
     }
 
-    /** A link on which a mass swings at a frequency. @param mass [kg] @param frequency [Hz] */
+    /**
+     * A link on which a mass swings at a frequency.
+     *
+     * @param mass [kg]
+     * @param frequency [Hz]
+     */
     private static Model.Link carrying(String from, String to, double mass, double frequency) {
         double omega = 2 * Math.PI * frequency;
         return link(from, to, mass * omega * omega, 2 * RATIO * mass * omega);
@@ -379,7 +388,11 @@ final class ChainSearch {
         return out;
     }
 
-    /** Root mean square of a difference over that of the first, means left out, where both are known. @param from first sample */
+    /**
+     * Root mean square of a difference over that of the first, means left out, where both are known.
+     *
+     * @param from first sample
+     */
     static double error(double[] x, double[] y, int from) {
         double[] difference = new double[x.length];
         Arrays.setAll(difference, i -> x[i] - y[i]);

@@ -109,7 +109,11 @@ final class OtherInputs {
         return sum;
     }
 
-    /** What the others add to a series, as long as the recording; zeros where there are none. @param y Not modified. */
+    /**
+     * What the others add to a series, as long as the recording; zeros where there are none.
+     *
+     * @param y Not modified.
+     */
     double[] partOf(double[] y) {
         double[] out = new double[y.length];
         if (others.isEmpty()) {

@@ -41,7 +41,12 @@ final class PlaneFit {
      */
     record Output(int read, boolean rate, double[] lines) {}
 
-    /** A net that was fitted. @param missed share of each output @param cost what the fit lowers */
+    /**
+     * A net that was fitted.
+     *
+     * @param missed share of each output
+     * @param cost what the fit lowers
+     */
     record Fitted(PlaneNet net, double[] missed, double cost) {
         double worst() {
             return Arrays.stream(missed).max().orElseThrow();
@@ -56,8 +61,7 @@ final class PlaneFit {
 
     /**
      * @param omega   angular frequency of each line [rad/s]
-     * @param base spectra of its acceleration along x, along z and about y; real and imaginary part of a line
-     *                side by side. Not modified.
+     * @param base spectra of its acceleration along x, along z and about y; real and imaginary part of a line side by side. Not modified.
      * @param share   of an output that may be missed, its standard deviation
      */
     PlaneFit(double[] omega, double[][] base, List<Output> outputs, double share) {
@@ -101,7 +105,11 @@ final class PlaneFit {
         return new Fitted(net, Arrays.stream(now.missed).map(Math::sqrt).toArray(), now.cost);
     }
 
-    /** Normal equations. @param missed square of the share of each output that is missed */
+    /**
+     * Normal equations.
+     *
+     * @param missed square of the share of each output that is missed
+     */
     private record Normal(double[][] square, double[] slope, double[] missed, double cost) {}
 
     /** What the matrices change by with one number: entries of M, C, K; of T; of R. */

@@ -26,7 +26,9 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     /**
      * Some of the numbers.
      *
-     * @param usual where they are expected @param spread standard deviation about that, assumed @param at where they are. None copied
+     * @param usual where they are expected
+     * @param spread standard deviation about that, assumed
+     * @param at where they are. None copied
      */
     record Numbers(double[] usual, double[] spread, double[] at) {
         static Numbers of(double[] usual, double[] spread) {
@@ -90,7 +92,11 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
                 Stream.concat(joints.stream(), Stream.of(joint)).toList());
     }
 
-    /** Moved along x and z, all of it. @param z [m] */
+    /**
+     * Moved along x and z, all of it.
+     *
+     * @param z [m]
+     */
     PlaneNet raised(double z) {
         List<Part> moved = parts.stream()
                 .map(part -> new Part(part.name, part.measured, shifted(part.numbers, z, part.measured ? new int[] {2, 5} : new int[] {2})))
@@ -124,7 +130,11 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
                 .toArray();
     }
 
-    /** The same elsewhere. @param at as {@link #at()} gives them. Not modified. */
+    /**
+     * The same elsewhere.
+     *
+     * @param at as {@link #at()} gives them. Not modified.
+     */
     PlaneNet at(double[] at) {
         int[] next = {0};
         java.util.function.UnaryOperator<Numbers> own = numbers -> {
@@ -152,7 +162,11 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     /**
      * Equations of motion: M a + C v + K x = 0, a = ẍ + T b with the base's accelerations b; the accelerations that sensors feel are R a.
      *
-     * @param mass diagonal @param damping @param stiffness n × n @param carried n × 3 @param read sensors × n, three a measured part
+     * @param mass diagonal
+     * @param damping
+     * @param stiffness n × n
+     * @param carried n × 3
+     * @param read sensors × n, three a measured part
      */
     record Matrices(double[] mass, double[][] damping, double[][] stiffness, double[][] carried, double[][] read) {}
 
@@ -227,7 +241,9 @@ record PlaneNet(List<Part> parts, List<Joint> joints) {
     /**
      * As its user would write it.
      *
-     * @param base    name @param axes of it, that along z first @param sensors by the part's name
+     * @param base    name
+     * @param axes of it, that along z first
+     * @param sensors by the part's name
      * @param factor on masses, stiffness and damping
      */
     Map<String, Object> described(String name, String base, List<String> axes, Map<String, List<String>> sensors, double factor) {

@@ -83,7 +83,11 @@ final class SimulatedPlane {
         return search((step, share) -> {}).plain().net();
     }
 
-    /** The least arrangement that does what the simulation did. @param plain as {@link #plain()} gives it */
+    /**
+     * The least arrangement that does what the simulation did.
+     *
+     * @param plain as {@link #plain()} gives it
+     */
     PlaneNet best(PlaneNet plain, BiConsumer<String, Double> progress) {
         progress.accept("identifying the simulation", 0.0);
         SimulatedPlane small = straightened(plain);
@@ -121,7 +125,11 @@ final class SimulatedPlane {
         return new Simulator(Excitation.of(model, driven, driven.length())).outputs(model.assembly());
     }
 
-    /** A net as a model. @param mass of all of it [kg] */
+    /**
+     * A net as a model.
+     *
+     * @param mass of all of it [kg]
+     */
     Model model(PlaneNet net, double mass) {
         Map<String, List<String>> sensors = new LinkedHashMap<>();
         places.forEach(place -> sensors.put(place,

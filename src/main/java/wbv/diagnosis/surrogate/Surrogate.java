@@ -312,7 +312,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         return out;
     }
 
-    /** What a simulation covers of a recording. @param first sample of the recording @param skipped samples of the simulation before it */
+    /**
+     * What a simulation covers of a recording.
+     *
+     * @param first sample of the recording
+     * @param skipped samples of the simulation before it
+     */
     private record Covered(int first, int skipped, int length) {
         static Covered of(Clock clock, int samples, Recording simulation, String name) {
             Clock other = simulation.clock();

@@ -41,7 +41,11 @@ public final class Adwin implements Alarm {
         this(USUAL);
     }
 
-    /** An empty window. @param delta probability of a false cut at one look, in (0, 1) */
+    /**
+     * An empty window.
+     *
+     * @param delta probability of a false cut at one look, in (0, 1)
+     */
     public Adwin(double delta) {
         if (!(delta > 0 && delta < 1)) {
             throw new IllegalArgumentException("delta must be in (0, 1): " + delta);

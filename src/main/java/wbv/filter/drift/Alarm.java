@@ -23,7 +23,7 @@ public interface Alarm extends Serializable, Snapshot {
     /** Number of values since the last change that the alarm still regards as one regime. */
     long width();
 
-    /** Mean of the values in the window; 0 while it is empty. */
+    /** Mean of the values in the window, in [0, 1]; 0 while it is empty. */
     double mean();
 
     /** Forgets every value. */

@@ -24,7 +24,11 @@ public final class EvidenceTest implements Serializable, Snapshot {
     private final double enough;
     private double sum;
 
-    /** No evidence yet. @param rate of the samples [Hz] */
+    /**
+     * No evidence yet.
+     *
+     * @param rate of the samples [Hz]
+     */
     public EvidenceTest(double rate) {
         this.enough = Math.log(APART * rate);
     }
@@ -34,7 +38,12 @@ public final class EvidenceTest implements Serializable, Snapshot {
         sum = 0;
     }
 
-    /** Hears a sample. @param gain log likelihood ratio  @return true if the body has changed */
+    /**
+     * Hears a sample.
+     *
+     * @param gain log likelihood ratio
+     * @return true if the body has changed
+     */
     public boolean hear(double gain) {
         sum = Math.max(0, sum + Math.min(enough / LEAST_SAMPLES, gain));
         return sum > enough;

@@ -8,7 +8,7 @@ public final class Probability {
     /**
      * Distribution function of χ² with one degree of freedom, erf(√(x/2)), to 2e-7 (Abramowitz and Stegun 1964, 7.1.26).
      *
-     * @param x &gt;= 0
+     * @param x a χ² [1], &gt;= 0
      * @return in [0, 1]
      */
     public static double chiSquare1(double x) {

@@ -33,8 +33,8 @@ public final class StepTest implements Serializable, Snapshot {
     /**
      * Hears a sample.
      *
-     * @param normalised ν/√S, as many correlated samples count as one
-     * @param slope      h/√S
+     * @param normalised ν/√S [1], as many correlated samples count as one
+     * @param slope      h/√S [1]
      * @return true if the body has changed
      */
     public boolean hear(double normalised, double slope) {

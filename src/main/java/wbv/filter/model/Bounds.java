@@ -52,7 +52,12 @@ public final class Bounds implements Serializable {
         Arrays.fill(upper, Double.POSITIVE_INFINITY);
     }
 
-    /** {@link #set(int, Attribute, double, double)} for mode 0. */
+    /**
+     * {@link #set(int, Attribute, double, double)} for mode 0.
+     *
+     * @param low in the unit of the attribute
+     * @param high likewise
+     */
     public void set(Attribute attribute, double low, double high) {
         set(0, attribute, low, high);
     }
@@ -61,8 +66,8 @@ public final class Bounds implements Serializable {
      * Bounds one attribute.
      *
      * @param mode 0 or 1
-     * @param low  may be negative infinity
-     * @param high &gt;= low, may be infinity; equal to low, the attribute is known
+     * @param low  in the unit of the attribute; may be negative infinity
+     * @param high in the same unit, &gt;= low, may be infinity; equal to low, the attribute is known
      */
     public void set(int mode, Attribute attribute, double low, double high) {
         if (!(low <= high)) {
@@ -81,12 +86,12 @@ public final class Bounds implements Serializable {
         }
     }
 
-    /** Negative infinity where there is none. */
+    /** The lower bound, in the unit of the attribute; negative infinity where there is none. */
     public double lower(int mode, Attribute attribute) {
         return lower[index(mode, attribute)];
     }
 
-    /** Infinity where there is none. */
+    /** The upper bound, in the unit of the attribute; infinity where there is none. */
     public double upper(int mode, Attribute attribute) {
         return upper[index(mode, attribute)];
     }

@@ -16,7 +16,11 @@ public final class ExcitationLevel implements Serializable, Snapshot {
     private final double noise;
     private final MovingPower input;
 
-    /** Silence so far. @param spec rate and noise of the input's sensor */
+    /**
+     * Silence so far.
+     *
+     * @param spec rate and noise of the input's sensor
+     */
     public ExcitationLevel(Spec spec) {
         this.noise = spec.inputNoise();
         this.input = new MovingPower(Math.max(1, (int) Math.round(MEMORY * spec.rate())));
@@ -27,7 +31,11 @@ public final class ExcitationLevel implements Serializable, Snapshot {
         input.reset();
     }
 
-    /** Takes a sample. @param u input, where an interval begins */
+    /**
+     * Takes a sample.
+     *
+     * @param u input, where an interval begins [m/s² or rad/s]
+     */
     public void hear(double u) {
         input.hear(u);
     }
@@ -37,7 +45,7 @@ public final class ExcitationLevel implements Serializable, Snapshot {
         return level() > EXCITED;
     }
 
-    /** The input over its sensor's noise. */
+    /** The input over its sensor's noise, r.m.s. both [1]. */
     public double level() {
         return Math.sqrt(input.power()) / noise;
     }

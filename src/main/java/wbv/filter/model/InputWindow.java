@@ -33,7 +33,11 @@ public final class InputWindow implements Serializable, Snapshot {
     private boolean cameTrue;
     private double power;
 
-    /** At rest. @param rate of the samples [Hz] */
+    /**
+     * At rest.
+     *
+     * @param rate of the samples [Hz]
+     */
     public InputWindow(double rate) {
         this.forgetting = 1 / (POWER_MEMORY * rate);
     }
@@ -52,7 +56,12 @@ public final class InputWindow implements Serializable, Snapshot {
         cameTrue = false;
     }
 
-    /** Takes a sample. @param present whether it was measured; 0 stands for it where not */
+    /**
+     * Takes a sample.
+     *
+     * @param u [m/s² or rad/s]
+     * @param present whether it was measured; 0 stands for it where not
+     */
     public void push(double u, boolean present) {
         System.arraycopy(samples, 1, samples, 0, POINTS - 1);
         System.arraycopy(missing, 1, missing, 0, POINTS - 1);
@@ -65,7 +74,11 @@ public final class InputWindow implements Serializable, Snapshot {
         }
     }
 
-    /** Coefficients of the input over the interval that ends LATENCY samples ago. @param c POINTS long. Modified. */
+    /**
+     * Coefficients of the input over the interval that ends LATENCY samples ago.
+     *
+     * @param c POINTS long, in the input's unit. Modified.
+     */
     public void coefficients(double[] c) {
         if (cameTrue) {
             System.arraycopy(foreseen, 0, c, 0, POINTS);
@@ -74,7 +87,7 @@ public final class InputWindow implements Serializable, Snapshot {
         BY_LOOK_AHEAD[LATENCY].coefficients(samples, 0, c);
     }
 
-    /** Asks for coefficients of later intervals, if the next sample were u. */
+    /** Asks for coefficients of later intervals, if the next sample were u [m/s² or rad/s]. */
     public void lookAhead(double u) {
         System.arraycopy(samples, 1, ahead, 0, POINTS - 1);
         ahead[POINTS - 1] = u;
@@ -85,7 +98,7 @@ public final class InputWindow implements Serializable, Snapshot {
      * Coefficients over a later interval, after {@link #lookAhead(double)}.
      *
      * @param known samples after the interval, 0 to LATENCY
-     * @param c     POINTS long. Modified.
+     * @param c     POINTS long, in the input's unit. Modified.
      * @return how many of them there are; the others are zero, and are not written
      */
     public int coefficientsBefore(int known, double[] c) {

@@ -46,7 +46,10 @@ public final class ModeStep implements Serializable {
     private final double[] de;
     private final double[] dg;
 
-    /** @param time T [s] @param slopes whether derivatives will be asked for */
+    /**
+     * @param time T [s]
+     * @param slopes whether derivatives will be asked for
+     */
     ModeStep(double time, boolean slopes) {
         this.time = time;
         this.slopes = slopes;
@@ -54,12 +57,12 @@ public final class ModeStep implements Serializable {
         this.dg = new double[slopes ? 2 * POINTS * PARAMETERS : 0];
     }
 
-    /** E, row by row: what is left of the state after the step. Not to be modified. */
+    /** E, row by row [1]: what is left of the state after the step. Not to be modified. */
     public double[] transition() {
         return e;
     }
 
-    /** g_j for each j in turn, 2 each: what the input's coefficient of (t/T)^j adds to the state. Not to be modified. */
+    /** g_j [s] for each j in turn, row by row: what the input's coefficient of (t/T)^j adds to the state. Not to be modified. */
     public double[] gains() {
         return g;
     }
@@ -84,7 +87,13 @@ public final class ModeStep implements Serializable {
         return dg;
     }
 
-    /** Takes a mode. Thesis: Eq. 5-3, 6-3. @param damper d [1/s] @param spring s [1/s] @param reference r [1/s] */
+    /**
+     * Takes a mode. Thesis: Eq. 5-3, 6-3.
+     *
+     * @param damper d [1/s]
+     * @param spring s [1/s]
+     * @param reference r [1/s]
+     */
     void set(double damper, double spring, double reference) {
         double size = Math.max(Math.abs(damper) + Math.abs(spring), Math.abs(reference)) * time;
         if (!(size < 1e6)) {
@@ -102,7 +111,11 @@ public final class ModeStep implements Serializable {
         }
     }
 
-    /** M = [a b; c 0]. @param h length of the step [s] */
+    /**
+     * M = [a b; c 0].
+     *
+     * @param h length of the step [s]
+     */
     private void sum(double a, double b, double c, double h) {
         double d = b * c;
         double u = 1 / FACTORIAL[POINTS + 1];
@@ -204,7 +217,13 @@ public final class ModeStep implements Serializable {
         fillSlope(4, a, b, c, d * yAbove + a * yBeta + au, yBeta, beta, 0);
     }
 
-    /** ∂E = ∂α I + ∂β M + β ∂M. @param first ∂ of E's first number @param slope of β @param steeper ∂b */
+    /**
+     * ∂E = ∂α I + ∂β M + β ∂M.
+     *
+     * @param first ∂ of E's first number
+     * @param slope of β
+     * @param steeper ∂b
+     */
     private void fillSlope(int at, double a, double b, double c, double first, double slope, double beta, double steeper) {
         de[at] = first;
         de[at + 1] = slope * b + beta * steeper;
@@ -239,7 +258,12 @@ public final class ModeStep implements Serializable {
         e[3] = e2 * e1 + e3 * e3;
     }
 
-    /** Gains, or derivatives of them before the gains themselves. @param slope place of ∂E, or -1 @param d ∂E. Not modified. */
+    /**
+     * Gains, or derivatives of them before the gains themselves.
+     *
+     * @param slope place of ∂E, or -1
+     * @param d ∂E. Not modified.
+     */
     private void doubleGains(double[] gains, int from, double[] d, int slope) {
         for (int j = POINTS - 1; j >= 0; j--) {
             int at = from + 2 * j;
@@ -282,7 +306,8 @@ public final class ModeStep implements Serializable {
      * Derivatives of the state after the step, the state before held.
      *
      * @param c    coefficients of the input. Not modified.
-     * @param xi   before the step. Not modified. @param at place of v in it
+     * @param xi   before the step. Not modified.
+     * @param at place of v in it
      * @param into [∂v/∂ln ω, ∂v/∂ln ζ; ∂w/∂ln ω, ∂w/∂ln ζ] from a place. Modified.
      */
     void forced(double[] c, double[] xi, int at, double[] into, int place) {

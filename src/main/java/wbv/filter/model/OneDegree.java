@@ -39,7 +39,7 @@ public final class OneDegree implements BodyModel {
      *
      * @param reference ω_ref [rad/s]
      * @param frequency to start from [Hz]
-     * @param damping to start from
+     * @param damping ratio to start from
      * @param rate [Hz]
      */
     public OneDegree(double reference, double frequency, double damping, double rate, boolean slopes) {
@@ -76,7 +76,12 @@ public final class OneDegree implements BodyModel {
         setOutput(xi[2], xi[3]);
     }
 
-    /** Takes ln ω, ω in rad/s, and ln ζ. */
+    /**
+     * Takes ln ω, ω in rad/s, and ln ζ.
+     *
+     * @param logOmega logarithm of ω
+     * @param logDamping logarithm of ζ
+     */
     public void set(double logOmega, double logDamping) {
         setOutput(logOmega, logDamping);
         step.set(damper, spring, reference);
@@ -160,17 +165,33 @@ public final class OneDegree implements BodyModel {
         return spring;
     }
 
-    /** Acceleration of the body [m/s²]. */
+    /**
+     * Acceleration of the body [m/s²].
+     *
+     * @param v [m/s]
+     * @param w [m/s]
+     */
     public double output(double v, double w) {
         return damper * v + spring * w;
     }
 
-    /** Derivative of {@link #output(double, double)} to a parameter, the states held. */
+    /**
+     * Derivative of {@link #output(double, double)} to a parameter, the states held [m/s²].
+     *
+     * @param v [m/s]
+     * @param w [m/s]
+     */
     public double outputSlope(int parameter, double v, double w) {
         return damper * v + (parameter == 0 ? 2 * spring * w : 0);
     }
 
-    /** |H(f)| of a body. @param frequency f0 [Hz]  @param damping ζ  @param f [Hz] */
+    /**
+     * |H(f)| of a body.
+     *
+     * @param frequency f0 [Hz]
+     * @param damping ζ
+     * @param f [Hz]
+     */
     static double modulus(double frequency, double damping, double f) {
         double r = f / frequency;
         double d = 2 * damping * r;

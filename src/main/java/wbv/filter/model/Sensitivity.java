@@ -28,7 +28,12 @@ public final class Sensitivity implements Serializable, Snapshot {
     private final double[] row;
     private final boolean[] free;
 
-    /** Nothing felt yet. @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
+    /**
+     * Nothing felt yet.
+     *
+     * @param model with slopes; the caller sets and moves it
+     * @param spec rate and noise of the sensors
+     */
     public Sensitivity(BodyModel model, Spec spec) {
         int n = model.parameters();
         this.model = model;
@@ -56,7 +61,7 @@ public final class Sensitivity implements Serializable, Snapshot {
     /**
      * Follows the motion over a step.
      *
-     * @param forced as {@link BodyModel#forced} of it. Not modified.
+     * @param forced as {@link BodyModel#forced} of it, as long, in the states' unit. Not modified.
      */
     public void advance(double[] forced) {
         for (int i = 0; i < row.length; i++) {
@@ -71,7 +76,7 @@ public final class Sensitivity implements Serializable, Snapshot {
     /**
      * Hears the output after the step.
      *
-     * @param xi after the step. Not modified.
+     * @param xi ξ after the step, in its own units, n long. Not modified.
      * @param hold whether nothing is to be estimated just now, or nothing excites the body
      */
     public void hear(double[] xi, boolean hold) {
@@ -93,7 +98,7 @@ public final class Sensitivity implements Serializable, Snapshot {
         return free[parameter];
     }
 
-    /** How much the last output depends on a parameter, the motion since the start included. */
+    /** How much the last output depends on a parameter, the motion since the start included, in the output's unit. */
     public double slope(int parameter) {
         return slopes[parameter];
     }
@@ -108,12 +113,12 @@ public final class Sensitivity implements Serializable, Snapshot {
         return false;
     }
 
-    /** ∂v/∂θ of the parameter's mode; 0 where a parameter belongs to none. */
+    /** ∂v/∂θ of the parameter's mode, in the states' unit; 0 where a parameter belongs to none. */
     public double v(int parameter) {
         return v[parameter];
     }
 
-    /** ∂w/∂θ. */
+    /** ∂w/∂θ, in the states' unit. */
     public double w(int parameter) {
         return w[parameter];
     }

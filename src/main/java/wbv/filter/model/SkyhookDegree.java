@@ -17,7 +17,11 @@ public final class SkyhookDegree implements BodyModel {
     private final OneDegree body;
     private double share = 1;
 
-    /** A body at rest. @param slopes whether derivatives of the step will be asked for */
+    /**
+     * A body at rest.
+     *
+     * @param slopes whether derivatives of the step will be asked for
+     */
     public SkyhookDegree(Spec spec, boolean slopes) {
         this.body = new OneDegree(spec, slopes);
     }

@@ -53,7 +53,12 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         }
     }
 
-    /** Whether an estimator may start there. @param frequency [Hz] @param damping [1] */
+    /**
+     * Whether an estimator may start there.
+     *
+     * @param frequency [Hz]
+     * @param damping [1]
+     */
     public static boolean isStart(double frequency, double damping) {
         return frequency >= LEAST_FREQUENCY && frequency <= MOST_FREQUENCY && damping >= LEAST_DAMPING && damping <= MOST_DAMPING;
     }
@@ -69,17 +74,30 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         return new Spec(rate, 5, 0.4, noise, noise, DRIFT);
     }
 
-    /** The same but for the noise. @param deviation of one sample of either sensor [m/s² or rad/s] */
+    /**
+     * The same but for the noise.
+     *
+     * @param deviation of one sample of either sensor [m/s² or rad/s]
+     */
     public Spec withNoise(double deviation) {
         return new Spec(rate, frequency, damping, deviation, deviation, drift);
     }
 
-    /** The same but for the start. @param frequency [Hz] @param damping [1] */
+    /**
+     * The same but for the start.
+     *
+     * @param frequency [Hz]
+     * @param damping [1]
+     */
     public Spec startingAt(double frequency, double damping) {
         return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift);
     }
 
-    /** Noise in one sample [m/s²] of a usual sensor that averages over the sampling interval: density times √(rate/2). */
+    /**
+     * Noise in one sample [m/s²] of a usual sensor that averages over the sampling interval: density times √(rate/2).
+     *
+     * @param rate [Hz]
+     */
     public static double noise(double rate) {
         return NOISE_DENSITY * Math.sqrt(rate / 2);
     }

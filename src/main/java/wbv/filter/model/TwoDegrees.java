@@ -26,7 +26,11 @@ public final class TwoDegrees implements BodyModel {
     private double g;
     private double h;
 
-    /** A body at rest. @param slopes whether derivatives of the step will be asked for */
+    /**
+     * A body at rest.
+     *
+     * @param slopes whether derivatives of the step will be asked for
+     */
     public TwoDegrees(Spec spec, boolean slopes) {
         startFrequency = spec.frequency();
         startSecond = Math.min(Spec.MOST_FREQUENCY / 1.2, APART * spec.frequency());

@@ -51,7 +51,11 @@ final class ArffFormat implements Format {
         return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
     }
 
-    /** The name in an attribute's declaration. @throws DataFault if it is not numeric */
+    /**
+     * The name in an attribute's declaration.
+     *
+     * @throws DataFault if it is not numeric
+     */
     static String attribute(String file, long line, String declaration) {
         char quote = declaration.isEmpty() ? ' ' : declaration.charAt(0);
         boolean quoted = quote == '\'' || quote == '"';

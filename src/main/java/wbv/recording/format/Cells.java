@@ -78,7 +78,11 @@ final class Cells {
         return word;
     }
 
-    /** The word of the line that was read last, without blanks and quotes around it. @param text of that line */
+    /**
+     * The word of the line that was read last, without blanks and quotes around it.
+     *
+     * @param text of that line
+     */
     String word(byte[] text) {
         return DelimitedTable.names(new String(text, wordFrom, wordTo - wordFrom, StandardCharsets.UTF_8), separator).get(0);
     }

@@ -69,7 +69,7 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
      *
      * @param name  in its header
      * @param unit  what its numbers are in
-     * @param scale multiplies them further
+     * @param scale factor by which they are multiplied further
      */
     public record Column(String name, String unit, double scale) {
         public Column {
@@ -84,7 +84,11 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
         return new ColumnMap(name, other, channels, patterns);
     }
 
-    /** Reads a map from a JSON file. @throws DataFault if it is none, naming the field */
+    /**
+     * Reads a map from a JSON file.
+     *
+     * @throws DataFault if it is none, naming the field
+     */
     public static ColumnMap read(Path path) throws IOException {
         Json json = Json.read(path);
         json.only("comment", "questions", "time", "channels", "patterns");

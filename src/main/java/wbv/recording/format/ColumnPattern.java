@@ -15,7 +15,7 @@ import wbv.recording.Quantity;
  * @param column  the column's name with {@code {location}} and {@code {axis}} where they vary
  * @param channel the channel's name with the same
  * @param unit    what the columns' numbers are in
- * @param scale   multiplies them further
+ * @param scale   factor by which they are multiplied further
  */
 public record ColumnPattern(String column, String channel, String unit, double scale) {
 

@@ -42,7 +42,11 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
     private static final Pattern RATE = Pattern
             .compile("(?i)(?:sampl\\w*[ _]?(?:rate|freq\\w*)|update rate|\\bfs)\\W+([0-9]+(?:[.,][0-9]+)?)\\s*(k?)(?:hz)?");
 
-    /** Looks into a file. @throws DataFault if it holds no table */
+    /**
+     * Looks into a file.
+     *
+     * @throws DataFault if it holds no table
+     */
     static ForeignTable of(Path path) throws IOException {
         try (Source source = Source.open(path)) {
             Head head = Head.of(source);

@@ -57,7 +57,11 @@ public final class MapDraft {
         }
     }
 
-    /** Drafts the map of a file. @throws DataFault if it holds no table, or no column that measures anything */
+    /**
+     * Drafts the map of a file.
+     *
+     * @throws DataFault if it holds no table, or no column that measures anything
+     */
     public static MapDraft of(Path file) throws IOException {
         MapDraft draft = new MapDraft(ForeignTable.of(file));
         draft.time();
@@ -89,7 +93,11 @@ public final class MapDraft {
         return channels.keySet().stream().map(Channel::location).distinct().count() == 1;
     }
 
-    /** The map as {@link ColumnMap#read} takes it. @param file that it was drafted for */
+    /**
+     * The map as {@link ColumnMap#read} takes it.
+     *
+     * @param file that it was drafted for
+     */
     public String json(String file) throws IOException {
         ObjectNode json = Json.MAPPER.createObjectNode();
         json.put("comment", "drafted by wbv map for " + file);

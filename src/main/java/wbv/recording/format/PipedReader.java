@@ -40,7 +40,8 @@ public final class PipedReader implements RowReader {
     /**
      * Reads as far as the rate is known.
      *
-     * @param name for messages @param stream gzip or not
+     * @param name for messages
+     * @param stream gzip or not
      * @throws DataFault if it is no stream of rows, or has fewer than two
      */
     public PipedReader(String name, InputStream stream, ReadOptions options) throws IOException {
@@ -69,7 +70,11 @@ public final class PipedReader implements RowReader {
         return gzip ? new BufferedInputStream(new GZIPInputStream(ahead, 1 << 16), 1 << 16) : ahead;
     }
 
-    /** Reads lines until there is a row. @return false at the end */
+    /**
+     * Reads lines until there is a row.
+     *
+     * @return false at the end
+     */
     private boolean more() throws IOException {
         while (read.isEmpty() && !ended) {
             int length = 0;

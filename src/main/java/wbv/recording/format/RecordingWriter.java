@@ -102,7 +102,8 @@ public final class RecordingWriter implements Closeable {
 
     /**
      * Begins a file in the format that its name ends in: {@code .arff}, {@code .csv}, {@code .csv.gz}, {@code .arff.gz}, which are written
-     * row by row, or {@code .uff} (binary), {@code .unv} (text), {@code .mat}, {@code .parquet}, {@code .wav}, which are held in memory until the end.
+     * row by row, or {@code .uff} (binary), {@code .unv} (text), {@code .mat}, {@code .parquet}, {@code .wav}, which are held in memory until
+     * the end.
      *
      * @param metadata stands in comment lines before the header of a table
      * @throws DataFault if the name ends otherwise, or the folder is missing or may not be written to
@@ -166,7 +167,7 @@ public final class RecordingWriter implements Closeable {
     /**
      * Writes a row.
      *
-     * @param row time [s], then the channels; NaN where missing. Not modified.
+     * @param row time [s], then the channels in SI units, one more than channels long; NaN where missing. Not modified.
      * @throws IllegalArgumentException if a value is infinite, or the time is missing
      */
     public void write(double[] row) throws IOException {
@@ -210,7 +211,11 @@ public final class RecordingWriter implements Closeable {
         line.setLength(0);
     }
 
-    /** Ends the file and gives it its name. @throws DataFault if the format cannot hold what was written */
+    /**
+     * Ends the file and gives it its name.
+     *
+     * @throws DataFault if the format cannot hold what was written
+     */
     public void finish() throws IOException {
         end();
         if (file.isPresent()) {

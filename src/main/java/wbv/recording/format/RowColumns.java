@@ -60,7 +60,8 @@ final class RowColumns {
     /**
      * The meaning of named columns.
      *
-     * @param where  the stream, for messages @param line where they are named
+     * @param where  the stream, for messages
+     * @param line where they are named
      * @param sensor tag or serial number of the one sensor that a DOT's columns are of; may be empty
      * @throws DataFault if there is no time or no channel, a name is no channel, or one stands twice
      */

@@ -41,7 +41,8 @@ public final class RowLines {
          *
          * @param seat     whose it is; empty where the line does not say
          * @param channels of the row, the same list for all rows under one header
-         * @param row      time [s], then the channels in SI units; NaN is missing. Not to be modified. Used again: copy what is kept.
+         * @param row      time [s], then the channels in SI units, one more than channels long; NaN is missing. Not to be modified. Used
+         *                 again: copy what is kept.
          */
         void row(String seat, List<Channel> channels, double[] row);
     }
@@ -73,7 +74,12 @@ public final class RowLines {
     private Cells cells;
     private long line;
 
-    /** Knows no columns before a header comes. @param name the stream, for messages @param options what the user says of it */
+    /**
+     * Knows no columns before a header comes.
+     *
+     * @param name the stream, for messages
+     * @param options what the user says of it
+     */
     public RowLines(String name, ReadOptions options) {
         this.name = name;
         this.options = options;
@@ -281,7 +287,11 @@ public final class RowLines {
         throw new DataFault("field " + field + " must be a word");
     }
 
-    /** Whose row it is. @throws DataFault if a name is longer than any is */
+    /**
+     * Whose row it is.
+     *
+     * @throws DataFault if a name is longer than any is
+     */
     private static String seat(String word) {
         if (word.length() > LONGEST_SEAT) {
             throw new DataFault("a seat's name has " + LONGEST_SEAT + " letters at most: " + word.substring(0, 40) + "…");

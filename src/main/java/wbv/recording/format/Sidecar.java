@@ -47,13 +47,21 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         return recording.resolveSibling((dot > 0 ? bare.substring(0, dot) : bare) + ".json");
     }
 
-    /** The sidecar of a recording; {@link #NONE} where there is no such file. @throws DataFault naming the field that is wrong */
+    /**
+     * The sidecar of a recording; {@link #NONE} where there is no such file.
+     *
+     * @throws DataFault naming the field that is wrong
+     */
     public static Sidecar of(Path recording) throws IOException {
         Path path = beside(recording);
         return Files.isRegularFile(path) ? read(path) : NONE;
     }
 
-    /** Reads a sidecar. @throws DataFault naming the field that is wrong */
+    /**
+     * Reads a sidecar.
+     *
+     * @throws DataFault naming the field that is wrong
+     */
     public static Sidecar read(Path path) throws IOException {
         Json json = Json.read(path);
         json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source",

@@ -7,7 +7,11 @@ import wbv.recording.DataFault;
 /** Rows of numbers in slots, in whatever units the file has. */
 interface SlotRows extends Closeable {
 
-    /** Reads the next row into its slots; false at the end. @param row Modified. */
+    /**
+     * Reads the next row into its slots; false at the end.
+     *
+     * @param row Modified.
+     */
     boolean read(double[] row) throws IOException;
 
     /** A fault at the row that was read last. */

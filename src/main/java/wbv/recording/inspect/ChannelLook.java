@@ -17,7 +17,11 @@ final class ChannelLook {
         this.channel = channel;
     }
 
-    /** Takes a sample; NaN is missing. @param line where it stands */
+    /**
+     * Takes a sample; NaN is missing.
+     *
+     * @param line where it stands
+     */
     void accept(double x, long line) {
         if (Double.isNaN(x)) {
             distribution.missed();

@@ -37,7 +37,11 @@ final class Disorder {
         run = 0;
     }
 
-    /** What is wrong, if anything is. @param rows all there were */
+    /**
+     * What is wrong, if anything is.
+     *
+     * @param rows all there were
+     */
     Optional<Finding> finding(long rows) {
         if (restart != null) {
             return Optional.of(restart);

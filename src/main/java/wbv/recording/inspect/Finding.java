@@ -100,9 +100,14 @@ public sealed interface Finding {
         }
     }
 
-    /** The measured rate departs from the nominal one. @param nominal [Hz] @param measured [Hz] */
+    /**
+     * The measured rate departs from the nominal one.
+     *
+     * @param nominal [Hz]
+     * @param measured [Hz]
+     */
     record Drift(double nominal, double measured) implements Finding {
-        /** Departure in parts per million. */
+        /** Departure as a ratio, in parts per million. */
         public double ppm() {
             return 1e6 * (measured / nominal - 1);
         }
@@ -141,7 +146,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Rows whose time lies before the row above them, or beyond the rows below. */
+    /**
+     * Rows whose time lies before the row above them, or beyond the rows below.
+     *
+     * @param time [s] of the first
+     */
     record TimeBackwards(long count, long line, double time) implements Finding {
         @Override
         public Severity severity() {
@@ -159,7 +168,12 @@ public sealed interface Finding {
         }
     }
 
-    /** The rows do not lie on one clock: it starts again, two take turns, or the rate changes. @param how which of them */
+    /**
+     * The rows do not lie on one clock: it starts again, two take turns, or the rate changes.
+     *
+     * @param time where [s]
+     * @param how which of them
+     */
     record TwoClocks(long line, double time, String how) implements Finding {
         @Override
         public Severity severity() {
@@ -177,7 +191,12 @@ public sealed interface Finding {
         }
     }
 
-    /** Cells without a number. @param channels of one location that lack as many samples @param missing samples that each lacks */
+    /**
+     * Cells without a number.
+     *
+     * @param channels of one location that lack as many samples
+     * @param missing samples that each lacks
+     */
     record Missing(List<Channel> channels, long missing, long rows) implements Finding {
         @Override
         public Severity severity() {
@@ -197,7 +216,12 @@ public sealed interface Finding {
         }
     }
 
-    /** A channel that does not move. @param longest samples in the longest run of one value, from a line on */
+    /**
+     * A channel that does not move.
+     *
+     * @param value where it stands, in the channel's unit
+     * @param longest samples in the longest run of one value, from a line on
+     */
     record Stuck(Channel channel, double value, long longest, long line, long rows) implements Finding {
         @Override
         public Severity severity() {
@@ -258,7 +282,11 @@ public sealed interface Finding {
         }
     }
 
-    /** A channel that stays at its greatest or least value again and again. */
+    /**
+     * A channel that stays at its greatest or least value again and again.
+     *
+     * @param value in the channel's unit
+     */
     record Clipped(Channel channel, double value, long count, long line) implements Finding {
         @Override
         public Severity severity() {
@@ -276,7 +304,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Gravity where it should be gone. @param magnitude of the median vector [m/s²] */
+    /**
+     * Gravity where it should be gone.
+     *
+     * @param magnitude of the median vector [m/s²]
+     */
     record GravityLeftIn(String location, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -294,7 +326,11 @@ public sealed interface Finding {
         }
     }
 
-    /** No gravity where it should be. */
+    /**
+     * No gravity where it should be.
+     *
+     * @param magnitude of what stands there instead [m/s²]
+     */
     record GravityMissing(String location, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -312,7 +348,14 @@ public sealed interface Finding {
         }
     }
 
-    /** A standing value that is neither nothing nor gravity: a sensor that is broken or out of calibration. */
+    /**
+     * A standing value that is neither nothing nor gravity: a sensor that is broken or out of calibration.
+     *
+     * @param x its median, in the quantity's unit
+     * @param y likewise
+     * @param z likewise
+     * @param magnitude of all three, in that unit
+     */
     record GrossBias(String location, Quantity quantity, double x, double y, double z, double magnitude) implements Finding {
         @Override
         public Severity severity() {
@@ -337,7 +380,12 @@ public sealed interface Finding {
         }
     }
 
-    /** Values that make sense in another unit only. @param read as which unit @param likely the unit they seem to be in */
+    /**
+     * Values that make sense in another unit only.
+     *
+     * @param read as which unit
+     * @param likely the unit they seem to be in
+     */
     record ImplausibleUnit(String location, Quantity quantity, double value, String read, String likely) implements Finding {
         @Override
         public Severity severity() {
@@ -355,7 +403,11 @@ public sealed interface Finding {
         }
     }
 
-    /** Single samples far from both neighbours. */
+    /**
+     * Single samples far from both neighbours.
+     *
+     * @param greatest jump, in the channel's unit
+     */
     record Spikes(Channel channel, long count, double greatest, long line) implements Finding {
         @Override
         public Severity severity() {

@@ -34,7 +34,11 @@ final class FirstLook {
         this.resolution = Math.max(written.coarsest(), last);
     }
 
-    /** What was seen. @param nominal rate that is stated [Hz] */
+    /**
+     * What was seen.
+     *
+     * @param nominal rate that is stated [Hz]
+     */
     Timing timing(OptionalDouble nominal) {
         double step = measured();
         if (nominal.isPresent()) {

@@ -12,8 +12,12 @@ final class Holes {
     private long line;
 
     /**
-     * A hole. @param samples that fall into it @param length of it [s] @param before time of the row before it @param atLine its
-     * line
+     * A hole.
+     *
+     * @param samples that fall into it
+     * @param length of it [s]
+     * @param before time of the row before it
+     * @param atLine its line
      */
     void met(long samples, double length, double before, long atLine) {
         count++;
@@ -25,7 +29,12 @@ final class Holes {
         }
     }
 
-    /** What is missing, if anything is. @param samples all there should be @param counted true if a sensor counted them */
+    /**
+     * What is missing, if anything is.
+     *
+     * @param samples all there should be
+     * @param counted true if a sensor counted them
+     */
     Optional<Finding> finding(long samples, boolean counted) {
         if (count == 0) {
             return Optional.empty();

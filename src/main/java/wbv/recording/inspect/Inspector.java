@@ -20,7 +20,11 @@ public final class Inspector {
     private final long passedOver;
     private long rows;
 
-    /** An inspector of what this reader gives. @param name the recording, for messages */
+    /**
+     * An inspector of what this reader gives.
+     *
+     * @param name the recording, for messages
+     */
     public Inspector(String name, RowReader reader) {
         this(name, reader.channels(), reader.metadata(), reader.sensorClock(), reader.passedOver());
     }
@@ -46,7 +50,12 @@ public final class Inspector {
         this.passedOver = passedOver;
     }
 
-    /** Looks at a row. @param row time [s], then the channels. Not modified, not kept. @param line where it stands */
+    /**
+     * Looks at a row.
+     *
+     * @param row time [s], then the channels in SI units, one more than channels long. Not modified, not kept.
+     * @param line where it stands
+     */
     public void accept(double[] row, long line) {
         rows++;
         boolean repeated = row[0] == previous[0] && RowComparison.same(row, previous);
@@ -58,7 +67,11 @@ public final class Inspector {
         looks.accept(row, line);
     }
 
-    /** Ends the inspection. @throws wbv.recording.DataFault if there were fewer than two samples */
+    /**
+     * Ends the inspection.
+     *
+     * @throws wbv.recording.DataFault if there were fewer than two samples
+     */
     public Inspection finish() {
         times.finish(name);
         Clock clock = times.clock();

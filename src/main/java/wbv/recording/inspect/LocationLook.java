@@ -26,7 +26,11 @@ final class LocationLook {
         this.location = location;
     }
 
-    /** Adds a channel. @param index its place among all channels */
+    /**
+     * Adds a channel.
+     *
+     * @param index its place among all channels
+     */
     void add(Channel channel, int index) {
         channels.add(channel);
         indices.add(index);
@@ -55,7 +59,12 @@ final class LocationLook {
         return zeros < rows ? zeros : 0;
     }
 
-    /** What is wrong with the location. @param median of a channel @param rms of a channel about its mean */
+    /**
+     * What is wrong with the location.
+     *
+     * @param median of a channel
+     * @param rms of a channel about its mean
+     */
     List<Finding> findings(ToDoubleFunction<Channel> median, ToDoubleFunction<Channel> rms) {
         List<Finding> findings = new ArrayList<>();
         if (zeros > 0 && channels.size() > 1 && zeros < rows) {

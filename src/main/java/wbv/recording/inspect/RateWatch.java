@@ -28,7 +28,11 @@ final class RateWatch {
         this.step = step;
     }
 
-    /** Looks at a row in order of time. @param rounding by how much its time may be off [s] */
+    /**
+     * Looks at a row in order of time.
+     *
+     * @param rounding by how much its time may be off [s]
+     */
     void accept(double time, long line, double rounding) {
         double difference = time - previous;
         previous = time;

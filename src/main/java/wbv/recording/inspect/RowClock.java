@@ -45,7 +45,11 @@ public final class RowClock {
     private double first;
     private long samples;
 
-    /** Learns the rate from the first rows, {@link #FIRST} or more. @param nominal the rate, where it is known [Hz] */
+    /**
+     * Learns the rate from the first rows, {@link #FIRST} or more.
+     *
+     * @param nominal the rate, where it is known [Hz]
+     */
     public RowClock(OptionalDouble nominal) {
         this.nominal = nominal;
     }
@@ -53,7 +57,8 @@ public final class RowClock {
     /**
      * A clock that goes on where another was.
      *
-     * @param rate its own [Hz] @param last time of the last sample [s]; NaN where there was none
+     * @param rate its own [Hz]
+     * @param last time of the last sample [s]; NaN where there was none
      */
     public static RowClock resumed(double rate, double last) {
         RowClock clock = new RowClock(OptionalDouble.of(rate));
@@ -91,7 +96,11 @@ public final class RowClock {
         return true;
     }
 
-    /** The stream ended: learns from what there is. @return false if that is fewer than two rows */
+    /**
+     * The stream ended: learns from what there is.
+     *
+     * @return false if that is fewer than two rows
+     */
     public boolean learnNow() {
         if (tracker == null && held > 1) {
             begin(new FirstLook(Arrays.copyOf(early, held)).timing(nominal));
@@ -133,7 +142,11 @@ public final class RowClock {
         return samples > rate ? samples / (last - first) : Double.NaN;
     }
 
-    /** Places a row; the rate is known. @param time its own [s] */
+    /**
+     * Places a row; the rate is known.
+     *
+     * @param time its own [s]
+     */
     public Placed place(double time) {
         missing = 0;
         if (Double.isNaN(last)) {

@@ -23,7 +23,11 @@ public final class RowLooks {
     private final LocationLook[] locationLooks;
     private final ThinnedRows thinned;
 
-    /** Looks at a stream. @param channels the columns of the rows to come */
+    /**
+     * Looks at a stream.
+     *
+     * @param channels the columns of the rows to come
+     */
     public RowLooks(List<Channel> channels) {
         this(channels, OF_A_STREAM);
     }
@@ -42,7 +46,7 @@ public final class RowLooks {
     /**
      * Looks at a row.
      *
-     * @param row time [s], then the channels. Not modified, not kept.
+     * @param row time [s], then the channels in SI units, one more than channels long. Not modified, not kept.
      * @param line where it stands, 0 where lines mean nothing
      */
     public void accept(double[] row, long line) {
@@ -64,7 +68,11 @@ public final class RowLooks {
         return summaries;
     }
 
-    /** What is wrong with the values up to now, gravest first. @param rate of the rows [Hz] */
+    /**
+     * What is wrong with the values up to now, gravest first.
+     *
+     * @param rate of the rows [Hz]
+     */
     public List<Finding> findings(double rate) {
         Map<Channel, Summary> summaries = summaries();
         List<Finding> findings = new ArrayList<>(missing(summaries));
@@ -80,7 +88,11 @@ public final class RowLooks {
         return findings;
     }
 
-    /** Equal values in a row from which on a sensor counts as stuck: half a second, and 20. @param rate [Hz] */
+    /**
+     * Equal values in a row from which on a sensor counts as stuck: half a second, and 20.
+     *
+     * @param rate [Hz]
+     */
     public static long stuckRun(double rate) {
         return Math.max(20, (long) (rate / 2));
     }

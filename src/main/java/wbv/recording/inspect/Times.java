@@ -59,7 +59,11 @@ final class Times {
         this.sensor = sensor;
     }
 
-    /** Looks at a row. @param repeated true if it is the row before once more, values and all */
+    /**
+     * Looks at a row.
+     *
+     * @param repeated true if it is the row before once more, values and all
+     */
     void accept(double time, long line, boolean repeated) {
         rows++;
         if (repeated) {
@@ -139,7 +143,11 @@ final class Times {
         repeats++;
     }
 
-    /** Ends the look. @throws DataFault if the rows have fewer than two times */
+    /**
+     * Ends the look.
+     *
+     * @throws DataFault if the rows have fewer than two times
+     */
     void finish(String name) {
         if (rows > 0) {
             ordered(Double.POSITIVE_INFINITY);

@@ -39,7 +39,11 @@ final class MatrixColumns {
         }
     }
 
-    /** Adds a matrix, whose numbers stay where they are. @param values by number, column after column */
+    /**
+     * Adds a matrix, whose numbers stay where they are.
+     *
+     * @param values by number, column after column
+     */
     void add(String name, int rows, int columns, IntToDoubleFunction values, Optional<String> unit) {
         matrices.put(name, new Matrix(rows, columns, values, unit));
     }

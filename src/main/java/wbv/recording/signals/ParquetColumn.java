@@ -33,7 +33,10 @@ final class ParquetColumn {
     private long origin;
     private boolean begun;
 
-    /** @param perSecond ticks in a second @param utc whether they count in UTC and not on some clock on a wall */
+    /**
+     * @param perSecond ticks in a second
+     * @param utc whether they count in UTC and not on some clock on a wall
+     */
     private record Ticks(ToLongFunction<ColumnReader> value, long perSecond, boolean utc) {}
 
     private ParquetColumn(ColumnDescriptor descriptor, String name, Optional<Ticks> ticks, ToDoubleFunction<ColumnReader> number) {
@@ -44,7 +47,11 @@ final class ParquetColumn {
                 .orElse(number);
     }
 
-    /** The column, where it holds one number or timestamp a row. @param name by which it is known */
+    /**
+     * The column, where it holds one number or timestamp a row.
+     *
+     * @param name by which it is known
+     */
     static Optional<ParquetColumn> of(ColumnDescriptor descriptor, String name) {
         if (descriptor.getMaxRepetitionLevel() > 0) {
             return Optional.empty();

@@ -107,7 +107,11 @@ final class ParquetSignals implements SignalFile {
         });
     }
 
-    /** What is read of a file, whatever its bytes lead Parquet to. @throws DataFault if it is damaged */
+    /**
+     * What is read of a file, whatever its bytes lead Parquet to.
+     *
+     * @throws DataFault if it is damaged
+     */
     private static <T> T sound(String file, Reading<T> reading) {
         try {
             return reading.read();

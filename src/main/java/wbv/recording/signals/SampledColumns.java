@@ -37,7 +37,11 @@ public final class SampledColumns {
         this.values = new double[1 + channels.size()][1024];
     }
 
-    /** Adds a row. @param row time [s], then the channels in SI. Not modified. */
+    /**
+     * Adds a row.
+     *
+     * @param row time [s], then the channels in SI units, one more than channels long. Not modified.
+     */
     public void add(double[] row) {
         if (length == values[0].length) {
             for (int i = 0; i < values.length; i++) {
@@ -50,7 +54,11 @@ public final class SampledColumns {
         length++;
     }
 
-    /** Writes all of it. @throws DataFault if the kind of file cannot hold it */
+    /**
+     * Writes all of it.
+     *
+     * @throws DataFault if the kind of file cannot hold it
+     */
     public void write(OutputStream out) throws IOException {
         if (length == 0) {
             throw DataFault.in(file, "would have no samples");
@@ -83,7 +91,11 @@ public final class SampledColumns {
         return values[1 + channel][sample];
     }
 
-    /** Samples per second [Hz]. @throws DataFault if the times are not even */
+    /**
+     * Samples per second [Hz].
+     *
+     * @throws DataFault if the times are not even
+     */
     double rate() {
         if (length < 2) {
             return stated.orElseThrow(() -> DataFault.in(file, "one sample has no rate; write it as .csv"));

@@ -25,7 +25,7 @@ public interface SignalFile extends Closeable {
     /**
      * Reads the next samples.
      *
-     * @param row one number for each label, NaN where missing. Modified.
+     * @param row as long as the labels, each number in the unit that it stands in; NaN where missing. Modified.
      * @return false at the end
      * @throws wbv.recording.DataFault if the file is cut off
      */

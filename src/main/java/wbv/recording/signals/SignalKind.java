@@ -129,7 +129,11 @@ public enum SignalKind {
         this.suffix = suffix;
     }
 
-    /** The kind of a file that begins with these bytes, if it is one of these. @param head Not modified. */
+    /**
+     * The kind of a file that begins with these bytes, if it is one of these.
+     *
+     * @param head Not modified.
+     */
     public static Optional<SignalKind> of(byte[] head) {
         String latin = new String(head, 0, Math.min(head.length, 1024), StandardCharsets.ISO_8859_1);
         return Arrays.stream(values()).filter(kind -> kind.recognises(latin)).findFirst();

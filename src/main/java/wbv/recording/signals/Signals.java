@@ -18,7 +18,10 @@ final class Signals implements SignalFile {
     private final int length;
     private int next;
 
-    /** @param values of each label, by sample @param length samples of each */
+    /**
+     * @param values of each label, by sample
+     * @param length samples of each
+     */
     Signals(List<Label> labels, List<IntToDoubleFunction> values, int length, Optional<String> time, OptionalDouble rate,
             Map<String, String> notes) {
         this.labels = List.copyOf(labels);

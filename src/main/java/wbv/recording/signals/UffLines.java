@@ -40,7 +40,11 @@ final class UffLines {
         return some;
     }
 
-    /** The next line. @throws DataFault if there is none */
+    /**
+     * The next line.
+     *
+     * @throws DataFault if there is none
+     */
     String required() throws IOException {
         if (!next()) {
             throw DataFault.in(file, "is cut off within a dataset");
@@ -58,7 +62,11 @@ final class UffLines {
         return text.strip().equals("-1");
     }
 
-    /** As many bytes as there should be. @throws DataFault if there are fewer */
+    /**
+     * As many bytes as there should be.
+     *
+     * @throws DataFault if there are fewer
+     */
     byte[] bytes(long count) throws IOException {
         if (count < 0 || count > Integer.MAX_VALUE - 8) {
             throw fault("a dataset of " + count + " bytes is not read");

@@ -73,7 +73,11 @@ final class BodyTile {
                 + path.others().stream().map(Channel::toString).collect(Collectors.joining(", "));
     }
 
-    /** What it explains, as a sentence; empty if there is no body. @param way from where to where; may be empty */
+    /**
+     * What it explains, as a sentence; empty if there is no body.
+     *
+     * @param way from where to where; may be empty
+     */
     String explains(String way) {
         return path.body().isEmpty() ? "" : "Explains " + percent(explained()) + " of the motion" + way
                 + (together().isEmpty() ? "" : "; " + together()) + ".";

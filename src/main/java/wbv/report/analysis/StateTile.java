@@ -68,7 +68,11 @@ final class StateTile {
         return (share > 0 && share < 0.95 ? Digits.significant(share, 1) : Digits.rounded(share, 0)) + "\u00a0%";
     }
 
-    /** The states over time, one line a state. @param start time of the first sample [s] */
+    /**
+     * The states over time, one line a state.
+     *
+     * @param start time of the first sample [s]
+     */
     LineChart chart(double start) {
         List<MotionState> met = Arrays.stream(MotionState.values()).filter(state -> told.seconds(state) > 0).toList();
         double rate = runs.model().features().rate();

@@ -13,7 +13,8 @@ final class WaveformSeries {
     /**
      * Its samples, or the middle of their range with the range about it.
      *
-     * @param start time of the first sample [s] @param step between samples [s]
+     * @param start time of the first sample [s]
+     * @param step between samples [s]
      */
     static Series of(String name, Waveform waveform, double start, double step) {
         double[] low = new double[waveform.size()];

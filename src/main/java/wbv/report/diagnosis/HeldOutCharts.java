@@ -27,7 +27,11 @@ final class HeldOutCharts {
     private final String before;
     private final String after;
 
-    /** @param completed whether anything was found @param before what the earlier model is @param after what the later one is */
+    /**
+     * @param completed whether anything was found
+     * @param before what the earlier model is
+     * @param after what the later one is
+     */
     HeldOutCharts(Diagnosis.Fit fit, boolean completed, String before, String after) {
         this.fit = fit;
         this.completed = completed;
@@ -35,7 +39,11 @@ final class HeldOutCharts {
         this.after = after;
     }
 
-    /** Bars by channel. @param given errors of the user's own values by channel, over the signal */
+    /**
+     * Bars by channel.
+     *
+     * @param given errors of the user's own values by channel, over the signal
+     */
     BarChart channels(Map<String, Double> given) {
         List<Diagnosis.Proof> proofs = fit.channels();
         List<BarChart.Bars> bars = new ArrayList<>();

@@ -49,7 +49,11 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
         HtmlWriter.write(page(), out.file("report.html"));
     }
 
-    /** A row of the tables. @param covered_90 share of 90 % intervals that hold */
+    /**
+     * A row of the tables.
+     *
+     * @param covered_90 share of 90 % intervals that hold
+     */
     private record Row(String bodies, String method, String target, String unit, int trials, int missing, double rmse,
             double error_deviation,
             double standardised_rmse, double deviation_over_seeds, double covered_90, double stated_deviation, double unlike_training) {}

@@ -74,7 +74,9 @@ public record NetworkReadingReport(String title, String channels, TrainedNetwork
     /**
      * Results for machines.
      *
-     * @param windows looked at @param read of these @param unlike of these, anything that the network was trained on
+     * @param windows looked at
+     * @param read of these
+     * @param unlike of these, anything that the network was trained on
      * @param holds   whether the medians hold
      * @param finding what is to be said of them first: a refusal with its reason where they do not hold
      * @param modes   medians of the windows that hold; empty where too few do

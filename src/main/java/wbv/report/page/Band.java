@@ -4,8 +4,8 @@ package wbv.report.page;
  * A range about a curve. Arrays are not copied.
  *
  * @param kind    what the range is
- * @param lower   as many as the curve's x, NaN is a gap; empty if there is no band
- * @param upper   as many as {@code lower}
+ * @param lower   as many as the curve's x, in its unit of y, NaN is a gap; empty if there is no band
+ * @param upper   as many as {@code lower}, likewise
  * @param meaning named in the legend, such as {@code ±2σ}
  */
 public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
@@ -27,7 +27,12 @@ public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
         }
     }
 
-    /** From {@code factor} standard deviations below the curve to as many above. Neither array is modified. */
+    /**
+     * From {@code factor} standard deviations below the curve to as many above. Neither array is modified.
+     *
+     * @param y the curve, by point, in its unit
+     * @param deviation as many, in that unit
+     */
     public static Band deviations(double[] y, double[] deviation, double factor, String meaning) {
         double[] lower = new double[y.length];
         double[] upper = new double[y.length];
@@ -38,7 +43,12 @@ public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
         return new Band(Kind.UNCERTAINTY, lower, upper, meaning);
     }
 
-    /** The smallest and largest samples. Not copied, not modified. */
+    /**
+     * The smallest and largest samples. Not copied, not modified.
+     *
+     * @param lower as many as the curve's x, in its unit
+     * @param upper likewise
+     */
     public static Band extremes(double[] lower, double[] upper) {
         return new Band(Kind.EXTREMES, lower, upper, "min to max");
     }

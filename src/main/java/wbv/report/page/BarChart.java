@@ -21,14 +21,18 @@ public record BarChart(String title, ChartAxis axis, List<String> groups, List<B
     /**
      * Bars of one colour.
      *
-     * @param values by group, NaN leaves one out. Not copied
-     * @param low    ends of the whiskers by group, NaN leaves one out; empty where there are none. Not copied @param high
-     *               likewise
+     * @param values by group, in the axis' unit, NaN leaves one out. Not copied
+     * @param low    ends of the whiskers by group, in the axis' unit, NaN leaves one out; empty where there are none. Not copied
+     *               @param high likewise
      * @param colour place in the page's palette, 0 to 7
      */
     public record Bars(String name, double[] values, double[] low, double[] high, int colour) {
 
-        /** Without whiskers. @param values not copied, not modified */
+        /**
+         * Without whiskers.
+         *
+         * @param values by group, in the axis' unit. Not copied, not modified
+         */
         public Bars(String name, double[] values, int colour) {
             this(name, values, new double[0], new double[0], colour);
         }

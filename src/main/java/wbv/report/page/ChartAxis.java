@@ -8,8 +8,8 @@ import java.util.List;
  * @param label what is drawn along it
  * @param unit  of its numbers; empty if they have none
  * @param scale linear or logarithmic
- * @param low   lower end, NaN to take it from the data
- * @param high  upper end, NaN to take it from the data
+ * @param low   lower end, in its unit, NaN to take it from the data
+ * @param high  upper end, in its unit, NaN to take it from the data
  * @param names what to write at 1, 2 and so on in place of numbers; empty for numbers
  */
 public record ChartAxis(String label, String unit, Scale scale, double low, double high, List<String> names) {
@@ -37,7 +37,12 @@ public record ChartAxis(String label, String unit, Scale scale, double low, doub
         return new ChartAxis(label, unit, Scale.LOG, Double.NaN, Double.NaN, List.of());
     }
 
-    /** The same axis with fixed ends; NaN leaves one to the data. */
+    /**
+     * The same axis with fixed ends; NaN leaves one to the data.
+     *
+     * @param from in the axis' unit
+     * @param to likewise
+     */
     public ChartAxis within(double from, double to) {
         return new ChartAxis(label, unit, scale, from, to, names);
     }

@@ -25,7 +25,11 @@ public record Figures(List<Figure> figures) implements Block {
      */
     public record Figure(String label, String value, String unit, String uncertainty) {
 
-        /** A number without uncertainty, shown with four significant digits. */
+        /**
+         * A number without uncertainty, shown with four significant digits.
+         *
+         * @param value in the unit that is named
+         */
         public static Figure of(String label, double value, String unit) {
             return new Figure(label, Digits.significant(value, 4), unit, "");
         }
@@ -33,7 +37,8 @@ public record Figures(List<Figure> figures) implements Block {
         /**
          * A number with its standard deviation: two digits of ±2σ are shown, and the value as far as they reach.
          *
-         * @param deviation standard deviation σ, &gt;= 0, or NaN if not known
+         * @param value in the unit that is named
+         * @param deviation standard deviation σ in that unit, &gt;= 0, or NaN if not known
          */
         public static Figure measured(String label, double value, double deviation, String unit) {
             if (!(2 * deviation > 0) || Double.isInfinite(deviation)) {

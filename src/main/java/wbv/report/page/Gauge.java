@@ -8,7 +8,8 @@ import wbv.result.Digits;
 /**
  * A small scale with values on it, drawn without a script.
  *
- * @param from   lower end @param to upper end
+ * @param from   lower end, in the unit of what it shows
+ * @param to upper end, in the unit of what it shows
  * @param ranges what lies behind, such as a published range; drawn in their order
  * @param marks  values to compare with, each under its label
  * @param points the values themselves
@@ -22,13 +23,31 @@ public record Gauge(double from, double to, List<Range> ranges, List<Mark> marks
     private static final double LINE = 15;
     private static final double LETTER = 5.6;
 
-    /** A part of the scale. @param kind names its colour: a class of the page's style sheet @param words for who cannot see it */
+    /**
+     * A part of the scale.
+     *
+     * @param from in the scale's unit
+     * @param to likewise
+     * @param kind names its colour: a class of the page's style sheet
+     * @param words for who cannot see it
+     */
     public record Range(double from, double to, String kind, String words) {}
 
-    /** A line across the scale. @param label may be empty */
+    /**
+     * A line across the scale.
+     *
+     * @param at in the scale's unit
+     * @param label may be empty
+     */
     public record Mark(double at, String label) {}
 
-    /** A value with where it may lie. @param low @param high the same where that is not known */
+    /**
+     * A value with where it may lie.
+     *
+     * @param at in the scale's unit
+     * @param low
+     * @param high in that unit; at itself where that is not known
+     */
     public record Point(double at, double low, double high) {}
 
     public Gauge {

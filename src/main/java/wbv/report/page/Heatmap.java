@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * A value over two axes in colour, such as a spectrogram. Arrays are not copied.
  *
- * @param columns centres of the columns, rising evenly, at least one
- * @param rows    centres of the rows, rising evenly, at least two
- * @param values  by column, then by row; NaN is a hole
+ * @param columns centres of the columns by column, in the unit of x, rising evenly, at least one
+ * @param rows    centres of the rows by row, in the unit of y, rising evenly, at least two
+ * @param values  by column, then by row, in the unit of the colour; NaN is a hole
  * @param colour  what the colour says; ends left open are set to leave out the faintest and the few strongest values
  */
 public record Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values,
@@ -27,7 +27,13 @@ public record Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, 
                 Double.isNaN(colour.high()) ? automatic(values)[1] : colour.high());
     }
 
-    /** In no group, without a note. Arrays are not copied, not modified. */
+    /**
+     * In no group, without a note. Arrays are not copied, not modified.
+     *
+     * @param columns by column, in the unit of x
+     * @param rows by row, in the unit of y
+     * @param values by column and row, in the unit of the colour
+     */
     public Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values) {
         this(title, x, y, colour, columns, rows, values, "", "");
     }

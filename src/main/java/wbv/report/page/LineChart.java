@@ -12,13 +12,30 @@ import java.util.List;
 public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series, List<Marker> markers, List<Shade> shades,
         String group, String note) implements Chart {
 
-    /** A vertical line. @param label may be empty */
+    /**
+     * A vertical line.
+     *
+     * @param x in the unit of the x axis
+     * @param label may be empty
+     */
     public record Marker(double x, String label) {}
 
-    /** A shaded range. @param reason why, such as {@code not excited} @param pattern how it is hatched, 0 to 2 */
+    /**
+     * A shaded range.
+     *
+     * @param from in the unit of the x axis
+     * @param to likewise
+     * @param reason why, such as {@code not excited}
+     * @param pattern how it is hatched, 0 to 2
+     */
     public record Shade(double from, double to, String reason, int pattern) {
 
-        /** Hatched in the first way. */
+        /**
+         * Hatched in the first way.
+         *
+         * @param from in the unit of the x axis
+         * @param to likewise
+         */
         public Shade(double from, double to, String reason) {
             this(from, to, reason, 0);
         }
@@ -48,7 +65,7 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
     /**
      * The same chart shaded wherever {@code usable} is false, from halfway to the next usable x.
      *
-     * @param at the x of each. Neither array is modified.
+     * @param at the x of each, as many, in its unit. Neither array is modified.
      */
     public LineChart shadedUnless(boolean[] usable, double[] at, String reason) {
         List<Shade> found = new ArrayList<>();

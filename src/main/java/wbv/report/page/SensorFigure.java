@@ -38,7 +38,9 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
     /**
      * A place with sensors.
      *
-     * @param channels in short @param tone of the worst found @param words what is wrong, in a few words; empty if nothing is
+     * @param channels in short
+     * @param tone of the worst found
+     * @param words what is wrong, in a few words; empty if nothing is
      */
     public record Sensor(String place, String channels, Tiles.Tone tone, String words) {}
 
@@ -53,7 +55,11 @@ public record SensorFigure(List<Sensor> sensors) implements Block {
                 .map(part -> new double[] {part.x() - (far ? 15 : 0), part.y() - (far ? 12 : 0)});
     }
 
-    /** The drawing; empty if no place is one that it shows. @param escape makes text safe in markup */
+    /**
+     * The drawing; empty if no place is one that it shows.
+     *
+     * @param escape makes text safe in markup
+     */
     public String svg(UnaryOperator<String> escape) {
         StringBuilder dots = new StringBuilder();
         List<double[]> taken = new ArrayList<>();

@@ -6,8 +6,8 @@ import wbv.signal.Envelope;
  * A curve. Arrays are not copied: do not change them before the page is written.
  *
  * @param name  shown in the legend, where the reader can hide it
- * @param x     never falling, finite
- * @param y     as many; NaN is a gap
+ * @param x     by point, in the unit of its axis, never falling, finite
+ * @param y     as many, in the unit of its axis; NaN is a gap
  * @param style how it is drawn
  * @param band  a range about the curve
  */
@@ -28,17 +28,32 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
         }
     }
 
-    /** A solid line. Arrays are not copied, not modified. */
+    /**
+     * A solid line. Arrays are not copied, not modified.
+     *
+     * @param x by point, in the unit of its axis
+     * @param y as many, in the unit of its axis
+     */
     public static Series line(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.LINE, Band.NONE);
     }
 
-    /** A broken line: what a model says. Arrays are not copied, not modified. */
+    /**
+     * A broken line: what a model says. Arrays are not copied, not modified.
+     *
+     * @param x by point, in the unit of its axis
+     * @param y as many, in the unit of its axis
+     */
     public static Series dashed(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.DASHED, Band.NONE);
     }
 
-    /** Points that are not joined. Arrays are not copied, not modified. */
+    /**
+     * Points that are not joined. Arrays are not copied, not modified.
+     *
+     * @param x by point, in the unit of its axis
+     * @param y as many, in the unit of its axis
+     */
     public static Series points(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.POINTS, Band.NONE);
     }
@@ -46,12 +61,19 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
     /**
      * A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. Arrays are not copied, not
      * modified.
+     *
+     * @param x by point, in the unit of its axis
+     * @param y as many, in the unit of its axis
      */
     public static Series strip(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.STRIP, Band.NONE);
     }
 
-    /** A band without a curve: where others have found such values. @param x not copied, not modified */
+    /**
+     * A band without a curve: where others have found such values.
+     *
+     * @param x by point, in the unit of its axis. Not copied, not modified
+     */
     public static Series range(String name, double[] x, Band band) {
         double[] y = new double[x.length];
         java.util.Arrays.fill(y, Double.NaN);

@@ -7,8 +7,10 @@ import wbv.result.Digits;
 /**
  * States as circles on a ring and transitions as arrows between them, drawn as SVG without a script. Arrays are not copied.
  *
- * @param names   of the states @param chances from state (row) to state (column) @param shares of time, the size of circles
- * @param least   transitions less likely than this are left out
+ * @param names   of the states
+ * @param chances probabilities by state, from (row) and to (column)
+ * @param shares of time by state, the size of circles
+ * @param least   probability: transitions less likely than this are left out
  */
 public record StateGraph(String title, List<String> names, double[][] chances, double[] shares, double least) implements Block {
 

@@ -14,7 +14,11 @@ public record Table(String caption, List<Column> columns, List<List<String>> row
     /** Which edge the cells of a column stand at. */
     public enum Align { LEFT, RIGHT }
 
-    /** A column. @param header with the unit, such as {@code Rate [Hz]} */
+    /**
+     * A column.
+     *
+     * @param header with the unit, such as {@code Rate [Hz]}
+     */
     public record Column(String header, Align align) {
 
         /** A column of words. */

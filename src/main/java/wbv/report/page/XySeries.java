@@ -5,9 +5,9 @@ package wbv.report.page;
  * written.
  *
  * @param name    shown in the legend, where the reader can hide it
- * @param x       in any order; NaN parts two runs
- * @param y       as many
- * @param whisker half-length of a bar up and down from each point; empty if there are none
+ * @param x       by point, in the unit of its axis, in any order; NaN parts two runs
+ * @param y       as many, in the unit of its axis
+ * @param whisker half-length of a bar up and down from each point, in the unit of y, as many; empty if there are none
  * @param style   how it is drawn
  * @param colour  place in the page's palette, 0 to 9, or {@link #BY_NAME}
  */
@@ -33,7 +33,12 @@ public record XySeries(String name, double[] x, double[] y, double[] whisker, St
         }
     }
 
-    /** Without whiskers, in a colour that the chart chooses. Arrays are not copied, not modified. */
+    /**
+     * Without whiskers, in a colour that the chart chooses. Arrays are not copied, not modified.
+     *
+     * @param x by point, in the unit of its axis
+     * @param y as many, in the unit of its axis
+     */
     public XySeries(String name, double[] x, double[] y, Style style) {
         this(name, x, y, new double[0], style, BY_NAME);
     }

@@ -20,7 +20,11 @@ public final class RecordingSection {
 
     private RecordingSection() {}
 
-    /** The section. @param relay what was done to the rows */
+    /**
+     * The section.
+     *
+     * @param relay what was done to the rows
+     */
     public static Section of(Inspection seen, Relay relay) {
         Set<String> all = seen.summaries().keySet().stream().map(Channel::location).collect(Collectors.toSet());
         List<FoldedFindings.Line> findings = FoldedFindings.of(seen, all);
@@ -33,7 +37,11 @@ public final class RecordingSection {
         return new Section("Recording", relay.sentence(), blocks);
     }
 
-    /** What was found, as a block. @param none what is said when there is nothing to report */
+    /**
+     * What was found, as a block.
+     *
+     * @param none what is said when there is nothing to report
+     */
     public static Findings findings(List<FoldedFindings.Line> lines, String none) {
         return new Findings(
                 lines.stream().map(line -> new Findings.Finding(Findings.Severity.valueOf(line.severity().name()), line.message(),

@@ -14,7 +14,7 @@ public final class Shades {
     /**
      * Shaded ranges, from halfway to the neighbours. Neither array is modified.
      *
-     * @param at      rising frequencies [Hz]
+     * @param at      by bin, rising frequencies [Hz]
      * @param several whether there are several inputs
      */
     public static List<LineChart.Shade> of(Backing[] backing, double[] at, boolean several) {

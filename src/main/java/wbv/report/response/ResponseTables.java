@@ -47,7 +47,11 @@ final class ResponseTables {
                 digits - 1);
     }
 
-    /** Every response with what it is worth. @param percent the level of the intervals, in words */
+    /**
+     * Every response with what it is worth.
+     *
+     * @param percent the level of the intervals, in words
+     */
     Table responses(String percent) {
         List<List<String>> rows = new ArrayList<>();
         for (ResponseCurve curve : curves) {

@@ -23,7 +23,11 @@ public final class DampingPage {
 
     private DampingPage() {}
 
-    /** Writes {@code report.html}. @param title what the page calls the recording */
+    /**
+     * Writes {@code report.html}.
+     *
+     * @param title what the page calls the recording
+     */
     public static void write(DampingTest test, String title, Map<String, String> provenance, OutputFolder out) throws IOException {
         HtmlWriter.write(new Page("Damping of a seat", title, List.of(found(test), assumed(), new Section("Provenance", "", new Table("",
                 List.of(Table.Column.words("What"), Table.Column.words("Value")),

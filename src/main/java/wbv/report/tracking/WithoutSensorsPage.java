@@ -30,7 +30,11 @@ public final class WithoutSensorsPage {
 
     private WithoutSensorsPage() {}
 
-    /** Writes {@code report.html}. @param provenance what, and from what, this was made, in the order in which it is shown */
+    /**
+     * Writes {@code report.html}.
+     *
+     * @param provenance what, and from what, this was made, in the order in which it is shown
+     */
     public static void write(WithoutSensors run, Map<String, String> provenance, OutputFolder out) throws IOException {
         HtmlWriter.write(page(run, provenance), out.file("report.html"));
     }

@@ -12,7 +12,10 @@ final class Acquisition {
     private final int ticks;
     private final double[] kernel;
 
-    /** @param rate of the rows [Hz] @param ticks fine samples a row */
+    /**
+     * @param rate of the rows [Hz]
+     * @param ticks fine samples a row
+     */
     Acquisition(double rate, int ticks) {
         this.rate = rate;
         this.ticks = ticks;
@@ -43,7 +46,11 @@ final class Acquisition {
         return out;
     }
 
-    /** The series so much later; held at its ends. @param seconds of either sign */
+    /**
+     * The series so much later; held at its ends.
+     *
+     * @param seconds of either sign
+     */
     double[] late(double[] series, double seconds) {
         double[] out = new double[series.length];
         for (int i = 0; i < out.length; i++) {

@@ -14,11 +14,15 @@ import wbv.recording.Quantity;
  *
  * @param chain    springs and dashpots; of a free mass the stiffness is 0
  * @param pushed   body on which the force acts, -1 where the base is shaken
- * @param axis     along which all moves @param quantity that every body's sensor measures
+ * @param axis     along which all moves
+ * @param quantity that every body's sensor measures
  * @param first    the first resonance; of a free mass the middle of what moves it [Hz]
  * @param last the highest, as {@code first} for one mass [Hz]
- * @param rate     of the rows [Hz] @param seconds of a recording @param sweeps whether it is moved by sweeps, else at random
- * @param strength of what moves it, root mean square [N or m/s²] @param noise standard deviation of a sensor's noise over what it measures
+ * @param rate     of the rows [Hz]
+ * @param seconds of a recording
+ * @param sweeps whether it is moved by sweeps, else at random
+ * @param strength of what moves it, root mean square [N or m/s²]
+ * @param noise standard deviation of a sensor's noise over what it measures
  */
 record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first, double last, double rate, double seconds, boolean sweeps,
         double strength, double noise) {
@@ -102,7 +106,11 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
         return new Acquisition(rate, (int) Math.ceil(FINE * last / rate));
     }
 
-    /** What moves it, by fine sample: at rest first and last. @param level over the usual one */
+    /**
+     * What moves it, by fine sample: at rest first and last.
+     *
+     * @param level over the usual one
+     */
     double[] drive(double level, RandomGenerator random) {
         Acquisition fine = acquisition();
         int length = (int) Math.rint(seconds * rate) * (int) Math.rint(fine.fine() / rate);
@@ -156,7 +164,11 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
         return out;
     }
 
-    /** How it moves. @param fine whether to the last digit, or as far as sizes matter */
+    /**
+     * How it moves.
+     *
+     * @param fine whether to the last digit, or as far as sizes matter
+     */
     ChainPlant.Trace run(Setup setup, double[] drive, boolean fine) {
         double[] base = pushed < 0 ? drive : new double[drive.length];
         double rate = acquisition().fine();
@@ -190,7 +202,11 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
         return isFree() ? Quantity.VELOCITY : quantity;
     }
 
-    /** Best linear benches for outputs of perfect sensors. @param rows of what moves it, and of each body as {@link #sized} */
+    /**
+     * Best linear benches for outputs of perfect sensors.
+     *
+     * @param rows of what moves it, and of each body as {@link #sized}
+     */
     LinearFit fit(double[] rows, double[][] outputs) {
         int[] body = new int[outputs.length];
         int[] order = new int[outputs.length];
@@ -232,7 +248,11 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
         return out;
     }
 
-    /** As its user writes it. @param values as he believes them to be */
+    /**
+     * As its user writes it.
+     *
+     * @param values as he believes them to be
+     */
     ObjectNode json(String name, Chain values) {
         ObjectNode root = values.json(name, List.of());
         root.put("subject", "rig").put("axis", String.valueOf(axis));

@@ -38,7 +38,11 @@ final class BenchConcealer {
      */
     private record Hidden(Omission omission, Consumer<Setup> change, int faulty, UnaryOperator<double[]> fault) {}
 
-    /** As sized. @param left missed variance over that of the output, of each */
+    /**
+     * As sized.
+     *
+     * @param left missed variance over that of the output, of each
+     */
     private record Sized(Hidden hidden, double share, double[] left) {}
 
     private final ConcealedSpec spec;
@@ -141,7 +145,11 @@ final class BenchConcealer {
                 Sized::share);
     }
 
-    /** A capacitor and a resistor, by the bilinear transform. @param corner [Hz] */
+    /**
+     * A capacitor and a resistor, by the bilinear transform.
+     *
+     * @param corner [Hz]
+     */
     private double[] highPass(double[] x, double corner) {
         double w = Math.tan(Math.PI * corner / acquisition.fine());
         double[] out = new double[x.length];
@@ -185,7 +193,11 @@ final class BenchConcealer {
         return bench.fit(rows, outputs).left(bench.chain());
     }
 
-    /** Gains and clocks stay what they are from one recording to the next, noise does not. @param noisy whether as real sensors send */
+    /**
+     * Gains and clocks stay what they are from one recording to the next, noise does not.
+     *
+     * @param noisy whether as real sensors send
+     */
     private Recording recording(double[] drive, ChainPlant.Trace trace, Optional<Sized> sized, boolean noisy, double level) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         List<Channel> all = bench.channels();

@@ -97,7 +97,11 @@ record Chain(List<String> names, int[] parent, double[] mass, double[] stiffness
                 Arrays.stream(damping).map(x -> x * root).toArray());
     }
 
-    /** The chain as a user writes it. @param blind places whose sensor is missing */
+    /**
+     * The chain as a user writes it.
+     *
+     * @param blind places whose sensor is missing
+     */
     ObjectNode json(String name, List<String> blind) {
         ObjectNode root = new ObjectMapper().createObjectNode();
         root.put("name", name).put("axis", "z");

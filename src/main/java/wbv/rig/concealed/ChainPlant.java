@@ -40,7 +40,10 @@ final class ChainPlant {
     private final double[] inertance;
     private final boolean inert;
 
-    /** @param rate of the series that drive it [Hz] @param substeps steps a sample */
+    /**
+     * @param rate of the series that drive it [Hz]
+     * @param substeps steps a sample
+     */
     ChainPlant(Setup setup, double rate, int substeps) {
         this.setup = setup;
         this.substeps = substeps;
@@ -77,7 +80,12 @@ final class ChainPlant {
         inert = Arrays.stream(inertance).anyMatch(b -> b != 0);
     }
 
-    /** Plays the platform's acceleration. @param platform [m/s²] by sample. Not modified. @param rate samples per second [Hz] */
+    /**
+     * Plays the platform's acceleration.
+     *
+     * @param platform [m/s²] by sample. Not modified.
+     * @param rate samples per second [Hz]
+     */
     Trace run(double[] platform, double rate) {
         int length = platform.length;
         int visible = setup.chain().size();

@@ -12,9 +12,10 @@ import wbv.recording.format.RecordingWriter;
 /**
  * A recording with something concealed in it.
  *
- * @param recording as the sensors sent it @param clean the verticals without noise and scatter, the sitter's own stirring
- * included
- * @param model     as a user would have written it, JSON @param key what was concealed, JSON
+ * @param recording as the sensors sent it
+ * @param clean the verticals without noise and scatter, the sitter's own stirring included
+ * @param model     as a user would have written it, JSON
+ * @param key what was concealed, JSON
  * @param beside    what else may be seen, by file name: {@link #WITH}, {@link #PROOF}, {@link #SIMULATION}
  * @param force     for a law that is to be learned: its force and its link's motion by row, as CSV
  */

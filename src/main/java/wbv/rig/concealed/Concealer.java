@@ -145,7 +145,10 @@ public final class Concealer {
         return random.nextBoolean() ? 1 + size : 1 - size;
     }
 
-    /** @param blind places without a sensor @param all whether all six channels of a place were recorded; else only the vertical */
+    /**
+     * @param blind places without a sensor
+     * @param all whether all six channels of a place were recorded; else only the vertical
+     */
     static Recording recording(Map<String, double[][]> six, List<String> blind, double rate, boolean all) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         for (String place : RideScene.PLACES) {
@@ -159,7 +162,11 @@ public final class Concealer {
         return recording(channels, rate);
     }
 
-    /** What says that it was simulated. @param channels in their order */
+    /**
+     * What says that it was simulated.
+     *
+     * @param channels in their order
+     */
     static Recording recording(Map<Channel, double[]> channels, double rate) {
         return new Recording(new Clock(0, rate), channels, new Metadata(OptionalDouble.of(rate), Map.of(),
                 Optional.empty(), Optional.empty(), OptionalDouble.empty(),

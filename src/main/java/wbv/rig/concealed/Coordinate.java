@@ -3,7 +3,9 @@ package wbv.rig.concealed;
 /**
  * One coordinate along or about which a spring and a dashpot work, and how it moves while they are linear.
  *
- * @param k stiffness, 0 for a body that nothing holds [N/m or N m/rad] @param c damping @param travel root mean square [m or rad]
+ * @param k stiffness, 0 for a body that nothing holds [N/m or N m/rad]
+ * @param c damping
+ * @param travel root mean square [m or rad]
  * @param speed of that
  * @param force root mean square of what the spring and the dashpot carry, or of what pushes where nothing holds [N or N m]
  * @param turns whether it is an angle

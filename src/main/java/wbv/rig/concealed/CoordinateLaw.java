@@ -20,7 +20,8 @@ import wbv.rig.concealed.law.Term.Factor;
  * @param mechanism in the vocabulary's words, {@code unknown} for what is to be learned
  * @param least
  * @param most sizes between which it is physics
- * @param law in neutral mathematics, of what is to be learned @param physics of a size
+ * @param law in neutral mathematics, of what is to be learned
+ * @param physics of a size
  */
 record CoordinateLaw(String mechanism, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters,
         List<Term> law, DoubleFunction<DoubleFunction<LinkPhysics>> physics) {

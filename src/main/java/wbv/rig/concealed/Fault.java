@@ -6,10 +6,18 @@ import java.util.function.DoubleUnaryOperator;
 /** What one sensor does wrong. Channels are acceleration x, y, z and rate x, y, z. */
 interface Fault {
 
-    /** While it senses. @param six channels by sample at {@link UniformSeries#RATE}. Modified. */
+    /**
+     * While it senses.
+     *
+     * @param six channels by sample at {@link UniformSeries#RATE}. Modified.
+     */
     default void whileSensing(double[][] six) {}
 
-    /** As it sends. @param six channels by row. Modified. */
+    /**
+     * As it sends.
+     *
+     * @param six channels by row. Modified.
+     */
     default void whileSending(double[][] six) {}
 
     int Z = 2;
@@ -36,7 +44,11 @@ interface Fault {
         });
     }
 
-    /** It is turned about y, all its axes with it. @param angle [rad] */
+    /**
+     * It is turned about y, all its axes with it.
+     *
+     * @param angle [rad]
+     */
     static Fault turned(double angle) {
         return sensing(six -> {
             double cos = Math.cos(angle);
@@ -51,7 +63,12 @@ interface Fault {
         });
     }
 
-    /** All it sends is late, from one delay to another over the recording. @param start @param end [s] */
+    /**
+     * All it sends is late, from one delay to another over the recording.
+     *
+     * @param start
+     * @param end [s]
+     */
     static Fault late(double start, double end) {
         return sensing(six -> {
             for (int q = 0; q < 6; q++) {
@@ -75,7 +92,12 @@ interface Fault {
         return each(x -> Math.max(low, Math.min(high, x)));
     }
 
-    /** Runs of rows in which the last value is sent again. @param starts first rows @param lengths rows */
+    /**
+     * Runs of rows in which the last value is sent again.
+     *
+     * @param starts first rows
+     * @param lengths rows
+     */
     static Fault dropouts(int[] starts, int[] lengths) {
         return new Fault() {
             @Override

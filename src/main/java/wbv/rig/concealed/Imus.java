@@ -46,7 +46,12 @@ final class Imus {
         return sent(setup, trace, seeds, seeds);
     }
 
-    /** What they send another time, mounted as they were. @param seeds of how they are mounted @param noises of this time's noise */
+    /**
+     * What they send another time, mounted as they were.
+     *
+     * @param seeds of how they are mounted
+     * @param noises of this time's noise
+     */
     Map<String, double[][]> sent(Setup setup, ChainPlant.Trace trace, Seeds seeds, Seeds noises) {
         return sensors.sent(setup.faults(), RideScene.PLACES, place -> motion(place, trace), seeds, noises);
     }
@@ -65,7 +70,11 @@ final class Imus {
             UniformSeries.rate(shaking.yaw())};
     }
 
-    /** What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
+    /**
+     * What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes.
+     *
+     * @param in Not modified.
+     */
     double[] thinned(double[] in) {
         return sensors.thinned(in);
     }

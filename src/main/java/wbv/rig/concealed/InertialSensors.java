@@ -42,7 +42,11 @@ final class InertialSensors {
         return CORNER * (rate / RATE);
     }
 
-    /** Standard deviation of a row's noise. @param q channel, 0 to 5 */
+    /**
+     * Standard deviation of a row's noise.
+     *
+     * @param q channel, 0 to 5
+     */
     double noise(int q) {
         double bandwidth = boxcar ? rate / 2 : corner();
         return setting.noise * (q < 3 ? ImuErrors.TABLE_3_2.acceleration() : ImuErrors.TABLE_3_2.rate()).noise() * Math.sqrt(bandwidth);
@@ -61,7 +65,12 @@ final class InertialSensors {
         return out;
     }
 
-    /** What real ones send: with scatter and noise. @param seeds of how they are mounted @param noises of this time's noise */
+    /**
+     * What real ones send: with scatter and noise.
+     *
+     * @param seeds of how they are mounted
+     * @param noises of this time's noise
+     */
     Map<String, double[][]> sent(List<Setup.FaultAt> faults, List<String> places, Function<String, double[][]> motion, Seeds seeds,
             Seeds noises) {
         Map<String, double[][]> out = new LinkedHashMap<>();
@@ -122,7 +131,11 @@ final class InertialSensors {
         return rows;
     }
 
-    /** What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
+    /**
+     * What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes.
+     *
+     * @param in Not modified.
+     */
     double[] thinned(double[] in) {
         double[] out = new double[in.length / ticks];
         for (int i = 0; i < out.length; i++) {

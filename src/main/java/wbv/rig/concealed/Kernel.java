@@ -23,7 +23,11 @@ final class Kernel {
         return out;
     }
 
-    /** Before it is scaled. @param j distance from the middle in samples, at most half + 1 */
+    /**
+     * Before it is scaled.
+     *
+     * @param j distance from the middle in samples, at most half + 1
+     */
     static double value(double corner, double rate, int half, double j) {
         double angle = 2 * Math.PI * corner * j / rate;
         double w = Math.PI * j / (half + 1);

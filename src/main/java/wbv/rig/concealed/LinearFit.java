@@ -45,12 +45,21 @@ final class LinearFit {
     private final double[][][] shown;
     private final double[] power;
 
-    /** @param body measured, by output @param platform rows [m/s²] @param outputs rows by output [m/s²]. Not modified. */
+    /**
+     * @param body measured, by output
+     * @param platform rows [m/s²]
+     * @param outputs rows by output [m/s²]. Not modified.
+     */
     LinearFit(int[] body, double[] platform, double[][] outputs) {
         this(body, Drive.platform(outputs.length), platform, outputs, Imus.RATE, LOW, HIGH);
     }
 
-    /** @param platform rows of what drives it @param rate of the rows [Hz] @param low @param high edges of the band [Hz] */
+    /**
+     * @param platform rows of what drives it
+     * @param rate of the rows [Hz]
+     * @param low
+     * @param high edges of the band [Hz]
+     */
     LinearFit(int[] body, Drive drive, double[] platform, double[][] outputs, double rate, double low, double high) {
         this.body = body;
         this.drive = drive;
@@ -70,7 +79,11 @@ final class LinearFit {
         }
     }
 
-    /** Part of each output's variance that the best linear chain leaves. @param start where to begin */
+    /**
+     * Part of each output's variance that the best linear chain leaves.
+     *
+     * @param start where to begin
+     */
     double[] left(Chain start) {
         int n = start.size();
         double[] x = new double[3 * n];

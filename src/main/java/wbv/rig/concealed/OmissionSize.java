@@ -8,7 +8,9 @@ import java.util.function.ToDoubleFunction;
 /**
  * Sizes an omission so that the best linear chain misses a wanted part of an output's variance.
  *
- * @param omission as sized @param share missed in the worst output @param left missed variance by output [(m/s²)²]
+ * @param omission as sized
+ * @param share missed in the worst output
+ * @param left missed variance by output [(m/s²)²]
  */
 record OmissionSize(Omission omission, double share, double[] left) {
 
@@ -24,7 +26,8 @@ record OmissionSize(Omission omission, double share, double[] left) {
     /**
      * What of a size between two shows as much as is wanted, or as near to it as a few attempts come.
      *
-     * @param look what comes of a size @param share how much that shows; more for a larger size
+     * @param look what comes of a size
+     * @param share how much that shows; more for a larger size
      */
     static <T> T sized(double least, double most, double wanted, DoubleFunction<T> look, ToDoubleFunction<T> share) {
         double low = Math.log(least);

@@ -199,14 +199,22 @@ final class OpenRecipes {
         return new OmissionRecipe(least, most, a -> omission(form, parameters.apply(a), term, setup -> h -> extra.apply(a)));
     }
 
-    /** Beside the link's own spring and dashpot. @param extra for a setup and a step of so many seconds */
+    /**
+     * Beside the link's own spring and dashpot.
+     *
+     * @param extra for a setup and a step of so many seconds
+     */
     private Omission omission(String form, Map<String, Double> parameters, Term term,
             Function<Setup, DoubleFunction<LinkPhysics>> extra) {
         return new Omission("unknown", scene.chain().link(link), form, parameters, List.of(term),
                 setup -> setup.link(link, h -> new ParallelForce(k, c, extra.apply(setup).apply(h))));
     }
 
-    /** A series between its samples. @param t [s] */
+    /**
+     * A series between its samples.
+     *
+     * @param t [s]
+     */
     private static double at(double[] x, double t) {
         double sample = Math.min(x.length - 1, t * UniformSeries.RATE);
         int s = (int) sample;

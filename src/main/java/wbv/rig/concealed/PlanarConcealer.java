@@ -34,10 +34,19 @@ final class PlanarConcealer {
     /** Where a mechanism can be. */
     private record Place(String joint, int component) {}
 
-    /** What is concealed. @param change to the person */
+    /**
+     * What is concealed.
+     *
+     * @param change to the person
+     */
     private record Hidden(Omission omission, Consumer<PlanarSetup> change) {}
 
-    /** As sized. @param share missed in the worst output @param left missed variance, by body and channel shown [(m/s²)² or (rad/s)²] */
+    /**
+     * As sized.
+     *
+     * @param share missed in the worst output
+     * @param left missed variance, by body and channel shown [(m/s²)² or (rad/s)²]
+     */
     private record Sized(Hidden hidden, double share, double[][] left) {}
 
     private final ConcealedSpec spec;
@@ -102,7 +111,11 @@ final class PlanarConcealer {
         return new double[][] {felt[0].clone(), none.clone(), felt[1].clone(), none.clone(), felt[2].clone(), none.clone()};
     }
 
-    /** What the user's simulator says for the platform as it was recorded. @param six rows of the platform's sensor */
+    /**
+     * What the user's simulator says for the platform as it was recorded.
+     *
+     * @param six rows of the platform's sensor
+     */
     private static Recording simulated(PlanarPerson believed, double[][] six) {
         int ticks = (int) (UniformSeries.RATE / InertialSensors.RATE);
         PlanarPlant.Base recorded = PlanarPlant.Base.of(between(six[0], ticks), between(six[2], ticks), between(six[4], ticks));

@@ -38,7 +38,8 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
      * @param lower body, -1 for the platform
      * @param upper body
      * @param at where, at rest: x, z [m]
-     * @param stiffness along x and z [N/m] and about y [N m/rad] @param damping likewise
+     * @param stiffness along x and z [N/m] and about y [N m/rad]
+     * @param damping likewise
      */
     record Joint(String name, int lower, int upper, double[] at, double[] stiffness, double[] damping) {
 
@@ -92,7 +93,10 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         return new PlanarPerson(mass, inertia, centre, sensor, joints);
     }
 
-    /** @param load mass or inertia that each component would carry alone, none for 0 @param hertz at which it would swing then */
+    /**
+     * @param load mass or inertia that each component would carry alone, none for 0
+     * @param hertz at which it would swing then
+     */
     private static Joint joint(String name, int lower, int upper, double[] at, double[] load, double[] hertz, RandomGenerator random) {
         double[] stiffness = new double[COMPONENTS];
         double[] damping = new double[COMPONENTS];

@@ -39,7 +39,9 @@ final class PlanarPlant {
      * What a run leaves.
      *
      * @param felt      by body: acceleration along x and z in the axes of its sensor [m/s²], rate of pitch [rad/s], each by sample
-     * @param extension by joint and component [m, rad] @param rate of that @param force that resists it [N, N m]
+     * @param extension by joint and component [m, rad]
+     * @param rate of that
+     * @param force that resists it [N, N m]
      * @param state     positions [m] and pitch [rad] of the bodies against the platform, then their rates, by sample
      */
     record Trace(double[][][] felt, double[][][] extension, double[][][] rate, double[][][] force, double[][] state) {}
@@ -185,7 +187,11 @@ final class PlanarPlant {
         }
     }
 
-    /** From a body's centre of mass to a joint's point on it, in the platform's axes. @param into Modified. */
+    /**
+     * From a body's centre of mass to a joint's point on it, in the platform's axes.
+     *
+     * @param into Modified.
+     */
     private double[] arm(PlanarPerson.Joint joint, int body, double[] into) {
         double x = joint.at()[0] - person.centre()[body][0];
         double z = joint.at()[1] - person.centre()[body][1];

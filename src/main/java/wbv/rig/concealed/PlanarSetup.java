@@ -29,7 +29,11 @@ final class PlanarSetup {
         return person;
     }
 
-    /** Replaces the force of a component. @param made for a step of so many seconds, anew for every run */
+    /**
+     * Replaces the force of a component.
+     *
+     * @param made for a step of so many seconds, anew for every run
+     */
     void joint(int joint, int component, DoubleFunction<LinkPhysics> made) {
         physics.set(PlanarPerson.COMPONENTS * joint + component, made);
     }

@@ -10,8 +10,10 @@ import wbv.rig.platform.Seeds;
 /**
  * Everything about a recording that is there without any omission: the sitter, the platform's motion, the motion across.
  *
- * @param fore  by place, along x @param side by place, along y
- * @param calm  how the linear chain moves @param blind places without a sensor
+ * @param fore  by place, along x
+ * @param side by place, along y
+ * @param calm  how the linear chain moves
+ * @param blind places without a sensor
  */
 record RideScene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fore, Map<String, Sway> side, ChainPlant.Trace calm,
         List<String> blind) {
@@ -31,7 +33,11 @@ record RideScene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway
         return of(setting, chain, level, seconds, random, seeds);
     }
 
-    /** A sitter on a ride of some level; 1 is the usual one. @param random the rest of what made the sitter */
+    /**
+     * A sitter on a ride of some level; 1 is the usual one.
+     *
+     * @param random the rest of what made the sitter
+     */
     private static RideScene of(Setting setting, Chain chain, double level, OptionalDouble seconds, RandomGenerator random, Seeds seeds) {
         Shaking shaking = Shaking.of(setting, level, seconds, seeds.of("shaking"));
         Map<String, Sway> fore = new LinkedHashMap<>();

@@ -35,7 +35,10 @@ public enum Setting {
     final double leastForce;
     final double mostForce;
 
-    /** @param leastForce @param mostForce of a sitter who does not sit still, root mean square [N] */
+    /**
+     * @param leastForce
+     * @param mostForce of a sitter who does not sit still, root mean square [N]
+     */
     Setting(double noise, double gain, double clock, double tilt, double lever, double leastForce, double mostForce) {
         this.noise = noise;
         this.gain = gain;

@@ -11,7 +11,12 @@ import wbv.rig.concealed.law.Springs;
  */
 final class Setup {
 
-    /** A mass nobody sees. @param body it rides on @param drag force over the square of its speed against the body [N s²/m²] */
+    /**
+     * A mass nobody sees.
+     *
+     * @param body it rides on
+     * @param drag force over the square of its speed against the body [N s²/m²]
+     */
     record Rider(int body, double mass, double stiffness, double damping, double drag) {
         Rider(int body, double mass, double stiffness, double damping) {
             this(body, mass, stiffness, damping, 0);
@@ -48,7 +53,11 @@ final class Setup {
         return chain;
     }
 
-    /** Replaces a link's force. @param made for a step of so many seconds, anew for every run */
+    /**
+     * Replaces a link's force.
+     *
+     * @param made for a step of so many seconds, anew for every run
+     */
     void link(int i, DoubleFunction<LinkPhysics> made) {
         physics.set(i, made);
         linear = false;

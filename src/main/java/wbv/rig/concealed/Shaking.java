@@ -17,7 +17,10 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
         return z.length;
     }
 
-    /** @param level of all vertical motion; 1 is the usual @param length how long it lasts [s], where that is not drawn */
+    /**
+     * @param level of all vertical motion; 1 is the usual
+     * @param length how long it lasts [s], where that is not drawn
+     */
     static Shaking of(Setting setting, double level, OptionalDouble length, Seeds seeds) {
         RandomGenerator random = seeds.source("program");
         boolean field = setting == Setting.FIELD || setting == Setting.RIDE_LEVELS;

@@ -6,8 +6,8 @@ import java.util.Map;
  * How places move across: each swings against the platform as one mass on a spring, and rides on the platform's rotation at its
  * height. One axis.
  *
- * @param displacement against the middle of the platform, what its rotation does at this height included [m] @param acceleration
- * absolute [m/s²]
+ * @param displacement against the middle of the platform, what its rotation does at this height included [m]
+ * @param acceleration absolute [m/s²]
  */
 record Sway(double[] displacement, double[] acceleration) {
 
@@ -16,7 +16,10 @@ record Sway(double[] displacement, double[] acceleration) {
     private static final Map<String, double[]> PLACES = Map.of("seat", new double[] {9, 0.4}, "pelvis", new double[] {5, 0.55},
             "sternum", new double[] {3, 0.85}, "head", new double[] {2.4, 1.25});
 
-    /** @param push acceleration of the platform across @param angle whose rotation carries the place along, at its height */
+    /**
+     * @param push acceleration of the platform across
+     * @param angle whose rotation carries the place along, at its height
+     */
     static Sway of(String place, double[] push, double[] angle) {
         if (!PLACES.containsKey(place)) {
             return new Sway(new double[push.length], push);

@@ -65,7 +65,10 @@ final class UniformSeries {
     /**
      * Many sines of random phase with a spectrum.
      *
-     * @param length samples @param low @param high edges of the band [Hz] @param slope amplitude goes as f to this power
+     * @param length samples
+     * @param low
+     * @param high edges of the band [Hz]
+     * @param slope amplitude goes as f to this power
      * @param rms of the whole
      */
     static double[] lines(int length, double low, double high, double slope, double rms, RandomGenerator random) {

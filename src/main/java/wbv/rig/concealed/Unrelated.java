@@ -133,7 +133,12 @@ final class Unrelated {
         return broad.shaken(z);
     }
 
-    /** Now and then, swelling and fading. @param band lowest and highest frequency [Hz] @param newtons root mean square while it lasts */
+    /**
+     * Now and then, swelling and fading.
+     *
+     * @param band lowest and highest frequency [Hz]
+     * @param newtons root mean square while it lasts
+     */
     private static double[] moving(int length, double[] band, double newtons, RandomGenerator random) {
         double[] out = UniformSeries.lines(length, band[0], band[1], -0.5, newtons, random);
         double phase = 2 * Math.PI * random.nextDouble();

@@ -13,7 +13,14 @@ final class Chirp implements PlatformCommand {
     private double phaseOfRun;
     private long step;
 
-    /** @param h step [s] @param f0 @param f1 frequencies [Hz] @param a0 @param a1 amplitudes @param seconds time of a run [s] */
+    /**
+     * @param h step [s]
+     * @param f0
+     * @param f1 frequencies [Hz]
+     * @param a0
+     * @param a1 amplitudes
+     * @param seconds time of a run [s]
+     */
     Chirp(Axis axis, double h, double f0, double f1, double a0, double a1, double seconds) {
         this.axis = axis.ordinal();
         this.h = h;

@@ -3,7 +3,12 @@ package wbv.rig.platform;
 /** An excitation in motion: the command of the platform, sample after sample at the inner rate. */
 public interface PlatformCommand {
 
-    /** Adds the command of the next inner sample, times a gain. @param command six axes in {@link Axis} order. Modified. */
+    /**
+     * Adds the command of the next inner sample, times a gain.
+     *
+     * @param gain a factor
+     * @param command by axis in {@link Axis} order, six long [m/s² or rad/s]. Modified.
+     */
     void next(double gain, double[] command);
 
     /** What is being done to the sitter at the last sample. */

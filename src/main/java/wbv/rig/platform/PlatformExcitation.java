@@ -14,7 +14,12 @@ import java.util.stream.Collectors;
  */
 public sealed interface PlatformExcitation {
 
-    /** The excitation, started from its beginning. @param h inner step [s] @param seeds its random phases */
+    /**
+     * The excitation, started from its beginning.
+     *
+     * @param h inner step [s]
+     * @param seeds its random phases
+     */
     PlatformCommand drive(double h, Seeds seeds);
 
     /** Nothing moves. */
@@ -30,7 +35,13 @@ public sealed interface PlatformExcitation {
         }
     }
 
-    /** A steady sine. @param axis moved axis @param frequency [Hz], to 50 @param amplitude peak [m/s² or rad/s], &gt;= 0 */
+    /**
+     * A steady sine.
+     *
+     * @param axis moved axis
+     * @param frequency [Hz], to 50
+     * @param amplitude peak [m/s² or rad/s], &gt;= 0
+     */
     record Sine(Axis axis, double frequency, double amplitude) implements PlatformExcitation {
         public Sine {
             requireFrequency("sine frequency", frequency);
@@ -52,7 +63,9 @@ public sealed interface PlatformExcitation {
      * Random motion, nearly normal, with a flat spectrum in a band: a line in every quarter of a hertz, and four at least, each
      * wandering within its cell. The platform follows it flatly to 12 Hz, and by half at 20 Hz in power.
      *
-     * @param low lower edge [Hz] @param high upper edge [Hz], to 50 @param rms root mean square [m/s² or rad/s], &gt;= 0
+     * @param low lower edge [Hz]
+     * @param high upper edge [Hz], to 50
+     * @param rms root mean square [m/s² or rad/s], &gt;= 0
      */
     record Random(Axis axis, double low, double high, double rms) implements PlatformExcitation {
         public Random {
@@ -82,14 +95,20 @@ public sealed interface PlatformExcitation {
      * A sine whose frequency and amplitude run linearly, together, from one value to another; then it starts again, without a
      * jump of phase. Frequency and amplitude are confounded, so softening looks like resonance.
      *
-     * @param startFrequency [Hz] @param endFrequency [Hz], to 50
-     * @param startAmplitude peak [m/s² or rad/s] @param endAmplitude peak
+     * @param startFrequency [Hz]
+     * @param endFrequency [Hz], to 50
+     * @param startAmplitude peak [m/s² or rad/s]
+     * @param endAmplitude peak, in the same unit
      * @param seconds time of one run [s], &gt; 0
      */
     record Sweep(Axis axis, double startFrequency, double endFrequency, double startAmplitude, double endAmplitude,
             double seconds) implements PlatformExcitation {
 
-        /** Chapter 4 of the thesis: 1 to 9 Hz while 0.1 to 2.5 m/s² on z. @param seconds time of one run [s] */
+        /**
+         * Chapter 4 of the thesis: 1 to 9 Hz while 0.1 to 2.5 m/s² on z.
+         *
+         * @param seconds time of one run [s]
+         */
         public static Sweep chapter4(double seconds) {
             return new Sweep(Axis.Z, 1, 9, 0.1, 2.5, seconds);
         }
@@ -116,7 +135,11 @@ public sealed interface PlatformExcitation {
         }
     }
 
-    /** One of the nine regimes. @param number 0 to 8 */
+    /**
+     * One of the nine regimes.
+     *
+     * @param number 0 to 8
+     */
     record OfRegime(int number) implements PlatformExcitation {
         public OfRegime {
             Regime.of(number);
@@ -133,7 +156,11 @@ public sealed interface PlatformExcitation {
         }
     }
 
-    /** Rests, a regime with jolts, and rocking at random times, which stand in the truth. @param number of the regime, 0 to 8 */
+    /**
+     * Rests, a regime with jolts, and rocking at random times, which stand in the truth.
+     *
+     * @param number of the regime, 0 to 8
+     */
     record Ride(int number) implements PlatformExcitation {
         public Ride {
             Regime.of(number);
@@ -150,7 +177,11 @@ public sealed interface PlatformExcitation {
         }
     }
 
-    /** Several at once, each with random phases of its own. @param parts two or more, themselves single */
+    /**
+     * Several at once, each with random phases of its own.
+     *
+     * @param parts two or more, themselves single
+     */
     record Together(List<PlatformExcitation> parts) implements PlatformExcitation {
         public Together {
             parts = List.copyOf(parts);

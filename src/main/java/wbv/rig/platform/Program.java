@@ -16,7 +16,12 @@ public record Program(List<Segment> segments) {
     private static final double USUAL = 120;
     private static final double INSTANT = 0.0005;
 
-    /** An excitation for a while. @param excitation what @param seconds how long [s], &gt; 0 */
+    /**
+     * An excitation for a while.
+     *
+     * @param excitation what
+     * @param seconds how long [s], &gt; 0
+     */
     public record Segment(PlatformExcitation excitation, double seconds) {
         public Segment {
             if (!(seconds > 0) || Double.isInfinite(seconds)) {
@@ -37,7 +42,11 @@ public record Program(List<Segment> segments) {
         }
     }
 
-    /** One excitation all the time. @param seconds [s] */
+    /**
+     * One excitation all the time.
+     *
+     * @param seconds [s]
+     */
     public static Program of(PlatformExcitation excitation, double seconds) {
         return new Program(List.of(new Segment(excitation, seconds)));
     }
@@ -102,7 +111,11 @@ public record Program(List<Segment> segments) {
         return segments.stream().anyMatch(segment -> segment.excitation() instanceof PlatformExcitation.Ride);
     }
 
-    /** The program from its beginning. @param h inner step [s] */
+    /**
+     * The program from its beginning.
+     *
+     * @param h inner step [s]
+     */
     public PlatformCommand drive(double h, Seeds seeds) {
         return new Playback(h, seeds);
     }

@@ -41,7 +41,11 @@ public record Regime(int number, double x, double y, double z, double roll, doub
     private static final double FIRST = 0.5;
     private static final double LAST = 12;
 
-    /** One of the nine. @throws IllegalArgumentException if the number is not 0 to 8 */
+    /**
+     * One of the nine.
+     *
+     * @throws IllegalArgumentException if the number is not 0 to 8
+     */
     public static Regime of(int number) {
         if (number < 0 || number > LAST_NUMBER) {
             throw new IllegalArgumentException("regime must be 0 to " + LAST_NUMBER + ": " + number);

@@ -13,7 +13,7 @@ public final class SpecNumbers {
     }
 
     /**
-     * A number as it stands in a spec.
+     * A number as it stands in a spec, in the unit of the quantity.
      *
      * @param what the quantity, for the message
      * @throws IllegalArgumentException if the word is not a finite number

@@ -14,9 +14,11 @@ import wbv.state.mixture.Spread;
  * III.C), with a Dirichlet prior on the rows of the transitions and on the initial probabilities: the likelihood plus the log
  * prior never falls.
  *
- * @param rounds    at most, &gt;= 1 @param tolerance change of ln p that ends it
- * @param pseudo    counts that the prior adds to every transition and first state, &gt;= 0; 0 is maximum likelihood
- * @param shape     of the covariances @param floor least variance over that of the data; a lift by it may cost likelihood
+ * @param rounds    at most, &gt;= 1
+ * @param tolerance change of ln p [nat] that ends it
+ * @param pseudo    counts [1] that the prior adds to every transition and first state, &gt;= 0; 0 is maximum likelihood
+ * @param shape     of the covariances
+ * @param floor share of the variance of the data below which none falls; a lift by it may cost likelihood
  */
 public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceShape shape, double floor) {
 
@@ -30,7 +32,11 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceS
         }
     }
 
-    /** What was reached. @param history ln p of the sequences plus the log prior before each round, and at the end */
+    /**
+     * What was reached.
+     *
+     * @param history ln p of the sequences plus the log prior before each round, and at the end
+     */
     public record Result(HiddenMarkov model, List<Double> history) {
         public Result {
             history = List.copyOf(history);
@@ -41,7 +47,8 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceS
      * Fits.
      * Thesis: Eq. 7-5.
      *
-     * @param start     where to begin @param sequences each T by d, T &gt;= 1; rows with NaN say nothing. Not modified.
+     * @param start     where to begin
+     * @param sequences each T by d, T &gt;= 1; rows with NaN say nothing. Not modified.
      * @param progress  hears the share of rounds done
      * @throws IllegalArgumentException if there is no complete row
      */
@@ -71,7 +78,7 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceS
         return new Result(model, history);
     }
 
-    /** ln p of sequences under a model. */
+    /** ln p of sequences under a model [nat]. */
     public static double logLikelihood(HiddenMarkov model, List<double[][]> sequences) {
         return sequences.stream().mapToDouble(sequence -> new Trellis(model, sequence).logLikelihood()).sum();
     }

@@ -92,7 +92,9 @@ final class Densities implements Serializable {
     /**
      * ln p(row) for every state.
      *
-     * @param row length d, complete. Not modified. @param work at least {@link #work} long. Modified. @param logs K long. Modified.
+     * @param row length d, complete. Not modified.
+     * @param work at least {@link #work} long. Modified.
+     * @param logs K long. Modified.
      */
     void of(double[] row, double[] work, double[] logs) {
         int count = components.length;
@@ -111,7 +113,11 @@ final class Densities implements Serializable {
         }
     }
 
-    /** Numbers that {@link #of} needs room for. @param d dimensions of a row */
+    /**
+     * Numbers that {@link #of} needs room for.
+     *
+     * @param d dimensions of a row
+     */
     int work(int d) {
         return components.length + parts.length + d;
     }

@@ -36,7 +36,11 @@ public final class Forecast {
         avoid = value;
     }
 
-    /** P(a wanted state within the rows). @param probabilities of the states now, K. Not modified. */
+    /**
+     * Probability P(a wanted state within the rows).
+     *
+     * @param probabilities of the states now, K long. Not modified.
+     */
     public double probability(double[] probabilities) {
         double avoided = 0;
         for (int i = 0; i < avoid.length; i++) {
@@ -45,7 +49,11 @@ public final class Forecast {
         return Math.max(0, Math.min(1, 1 - avoided));
     }
 
-    /** Probabilities of the states so many rows ahead. @param probabilities of the states now, K. Not modified. */
+    /**
+     * Probabilities of the states so many rows ahead, K long.
+     *
+     * @param probabilities of the states now, K long. Not modified.
+     */
     public static double[] ahead(HiddenMarkov model, double[] probabilities, int rows) {
         double[] now = probabilities.clone();
         for (int step = 0; step < rows; step++) {

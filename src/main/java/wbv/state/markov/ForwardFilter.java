@@ -69,7 +69,11 @@ public final class ForwardFilter implements Serializable, Snapshot {
         return model;
     }
 
-    /** Takes a row; one with a missing value says nothing, and time goes on. @param row length d. Not modified. */
+    /**
+     * Takes a row; one with a missing value says nothing, and time goes on.
+     *
+     * @param row length d, each number in its own unit. Not modified.
+     */
     public void step(double[] row) {
         step(row, NOTHING);
     }
@@ -77,15 +81,19 @@ public final class ForwardFilter implements Serializable, Snapshot {
     /**
      * The same with what else is known.
      *
-     * @param row Not modified.
-     * @param evidence logarithm for each state that its density is raised by, or empty. Not modified.
+     * @param row length d, each number in its own unit. Not modified.
+     * @param evidence logarithm by state that its density is raised by, or empty. Not modified.
      */
     public void step(double[] row, double[] evidence) {
         look(row, evidence, now);
         begun = true;
     }
 
-    /** The states become what is given: someone told. @param probabilities K, summing to one. Not modified, not kept. */
+    /**
+     * The states become what is given: someone told.
+     *
+     * @param probabilities K long, summing to one. Not modified, not kept.
+     */
     public void know(double[] probabilities) {
         System.arraycopy(probabilities, 0, now, 0, now.length);
         begun = true;
@@ -94,13 +102,20 @@ public final class ForwardFilter implements Serializable, Snapshot {
     /**
      * What the states would be after this row, without taking it.
      *
-     * @param into K long. Modified.
+     * @param row length d, each number in its own unit. Not modified.
+     * @param into probabilities, K long. Modified.
      */
     public void look(double[] row, double[] into) {
         look(row, NOTHING, into);
     }
 
-    /** The same with what else is known. @param row Not modified. @param evidence likewise. Not modified. @param into K. Modified. */
+    /**
+     * The same with what else is known.
+     *
+     * @param row likewise. Not modified.
+     * @param evidence logarithm by state, or empty. Not modified.
+     * @param into likewise. Modified.
+     */
     public void look(double[] row, double[] evidence, double[] into) {
         int k = now.length;
         if (begun) {
@@ -138,12 +153,16 @@ public final class ForwardFilter implements Serializable, Snapshot {
         return foreseen == 0 || log < negligible ? 0 : foreseen * Math.exp(log);
     }
 
-    /** P(state j | rows so far). */
+    /** Probability P(state j | rows so far). */
     public double probability(int state) {
         return now[state];
     }
 
-    /** Copies all probabilities. @param into K long. Modified. */
+    /**
+     * Copies all probabilities.
+     *
+     * @param into probabilities, K long. Modified.
+     */
     public void probabilities(double[] into) {
         System.arraycopy(now, 0, into, 0, now.length);
     }

@@ -46,7 +46,12 @@ public final class GrowingChain implements Serializable {
     private double due = 2;
     private int before = -1;
 
-    /** A chain of no state yet. @param labels how many there may be @param d dimensions of a row */
+    /**
+     * A chain of no state yet.
+     *
+     * @param labels how many there may be
+     * @param d dimensions of a row
+     */
     public GrowingChain(int labels, int d, CovarianceShape shape) {
         this.shape = shape;
         this.d = d;
@@ -59,7 +64,11 @@ public final class GrowingChain implements Serializable {
         away = new double[d];
     }
 
-    /** Takes a row with its label, which teaches only. @param row length d. Not modified. */
+    /**
+     * Takes a row with its label, which teaches only.
+     *
+     * @param row length d, each number in its own unit. Not modified.
+     */
     public void learn(double[] row, int label) {
         learn(row, label, false);
     }
@@ -67,7 +76,8 @@ public final class GrowingChain implements Serializable {
     /**
      * Takes a row with its label; one with a missing value counts for the transitions only.
      *
-     * @param row length d. Not modified. @param told whether the label says where the chain is; otherwise the rows say that
+     * @param row length d, each number in its own unit. Not modified.
+     * @param told whether the label says where the chain is; otherwise the rows say that
      */
     public void learn(double[] row, int label, boolean told) {
         int place = place(row, label);
@@ -98,7 +108,11 @@ public final class GrowingChain implements Serializable {
         }
     }
 
-    /** Takes a row without a label. @param row length d. Not modified. */
+    /**
+     * Takes a row without a label.
+     *
+     * @param row length d, each number in its own unit. Not modified.
+     */
     public void follow(double[] row) {
         if (!filter.isEmpty()) {
             filter.get(0).step(row);
@@ -143,7 +157,12 @@ public final class GrowingChain implements Serializable {
         return best < 0 || !near && free < first + PARTS ? free : best;
     }
 
-    /** How likely every label is after this row, which is not taken. @param into one for each label. Modified. */
+    /**
+     * How likely every label is after this row, which is not taken.
+     *
+     * @param row length d, each number in its own unit. Not modified.
+     * @param into probabilities, one for each label. Modified.
+     */
     public void votes(double[] row, double[] into) {
         Arrays.fill(into, 0);
         if (filter.isEmpty()) {

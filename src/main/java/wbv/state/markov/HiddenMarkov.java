@@ -9,8 +9,8 @@ import wbv.state.mixture.Mixture;
  * A hidden Markov model with a mixture of normal densities in every state; a mixture of one is a normal density.
  * Thesis: Eq. 7-3, 7-4.
  *
- * @param initial    probabilities of the first state, K. Not copied; do not change them.
- * @param transition from state (row) to state (column), K by K, rows sum to one. Not copied; do not change them.
+ * @param initial    probabilities of the first state, K long. Not copied; do not change them.
+ * @param transition probabilities from state (row) to state (column), K by K, rows sum to one. Not copied; do not change them.
  * @param emissions  density of a row in every state, K
  */
 public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture> emissions) implements Serializable {
@@ -58,7 +58,11 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
         return emissions.stream().mapToInt(Mixture::size).max().orElseThrow();
     }
 
-    /** A random sequence; returns its states. @param into T by d. Modified. */
+    /**
+     * A random sequence; returns its states.
+     *
+     * @param into T by d, each column in its own unit. Modified.
+     */
     public int[] sample(RandomGenerator random, double[][] into) {
         int[] states = new int[into.length];
         for (int t = 0; t < into.length; t++) {
@@ -82,7 +86,8 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
      * A model whose states are the components of a mixture, with transitions counted between the likeliest components of
      * neighbouring rows.
      *
-     * @param sequences rows with NaN are passed over @param pseudo counts that every transition has beforehand, &gt; 0
+     * @param sequences rows with NaN are passed over
+     * @param pseudo counts [1] that every transition has beforehand, &gt; 0
      */
     public static HiddenMarkov of(Mixture mixture, List<double[][]> sequences, double pseudo) {
         int k = mixture.size();
@@ -112,7 +117,11 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
         return new HiddenMarkov(initial, transition, mixture.components().stream().map(Mixture::of).toList());
     }
 
-    /** Makes shares add up to 1. @param shares Modified. */
+    /**
+     * Makes shares add up to 1.
+     *
+     * @param shares as many as wanted. Modified.
+     */
     public static void normalise(double[] shares) {
         double sum = 0;
         for (double share : shares) {

@@ -8,7 +8,11 @@ public final class Rows {
 
     private Rows() {}
 
-    /** Whether no value is missing or infinite. @param row Not modified. */
+    /**
+     * Whether no value is missing or infinite.
+     *
+     * @param row as long as it is, each number in its own unit. Not modified.
+     */
     public static boolean complete(double[] row) {
         double sum = 0;
         for (double value : row) {
@@ -17,7 +21,7 @@ public final class Rows {
         return Double.isFinite(sum);
     }
 
-    /** The complete rows of all sequences, evenly thinned to so many at most. */
+    /** The complete rows of all sequences, by row, each column in its own unit, evenly thinned to so many at most. */
     public static double[][] thinned(List<double[][]> sequences, int most) {
         List<double[]> all = new ArrayList<>();
         for (double[][] sequence : sequences) {

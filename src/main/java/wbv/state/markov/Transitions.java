@@ -71,7 +71,10 @@ final class Transitions implements Serializable {
         return all;
     }
 
-    /** @param now K long. Not modified. @param next K long, another array. Modified. */
+    /**
+     * @param now K long. Not modified.
+     * @param next K long, another array. Modified.
+     */
     void advance(double[] now, double[] next) {
         if (whole.length > 0) {
             products(now, next);

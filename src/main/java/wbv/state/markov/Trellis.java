@@ -19,7 +19,11 @@ public final class Trellis {
     private final boolean[] missing;
     private final double logLikelihood;
 
-    /** Goes over a sequence forwards and backwards. @param rows T by d, T &gt;= 1. Not modified. */
+    /**
+     * Goes over a sequence forwards and backwards.
+     *
+     * @param rows T by d, each column in its own unit, T &gt;= 1. Not modified.
+     */
     public Trellis(HiddenMarkov model, double[][] rows) {
         this(model, rows, new double[0][]);
     }
@@ -27,8 +31,8 @@ public final class Trellis {
     /**
      * With what else is known of the states at every row.
      *
-     * @param rows T by d, T &gt;= 1. Not modified. @param evidence T by K, logarithms that are added to those of the densities, or
-     *             none. Not modified.
+     * @param rows T by d, each column in its own unit, T &gt;= 1. Not modified.
+     * @param evidence T by K, logarithms that are added to those of the densities, or none. Not modified.
      */
     public Trellis(HiddenMarkov model, double[][] rows, double[][] evidence) {
         this.model = model;
@@ -137,17 +141,17 @@ public final class Trellis {
         }
     }
 
-    /** ln p of the sequence. */
+    /** ln p of the sequence [nat]. */
     public double logLikelihood() {
         return logLikelihood;
     }
 
-    /** γ_t(j), P(state j at row t | all rows), T by K. Not a copy. */
+    /** γ_t(j), probability P(state j at row t | all rows), T by K. Not a copy. */
     public double[][] posterior() {
         return posterior;
     }
 
-    /** P(state j at row t | rows up to t), T by K. Not a copy. */
+    /** Probability P(state j at row t | rows up to t), T by K. Not a copy. */
     public double[][] filtered() {
         return forward;
     }

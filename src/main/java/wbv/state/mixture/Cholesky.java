@@ -16,8 +16,10 @@ final class Cholesky {
     /**
      * C = L Lᵀ.
      *
-     * @param c d by d, by rows. Not modified. @param floor squares of pivots below a millionth of these fail
-     * @param into L. Modified. @return false if the matrix is not positive definite
+     * @param c d by d, by rows. Not modified.
+     * @param floor squares of pivots below a millionth of these fail
+     * @param into L. Modified.
+     * @return false if the matrix is not positive definite
      */
     static boolean factor(double[] c, int d, double[] floor, double[] into) {
         for (int i = 0; i < d; i++) {
@@ -57,7 +59,9 @@ final class Cholesky {
     /**
      * L of L Lᵀ + sign · x xᵀ.
      *
-     * @param factor L. Modified. @param x modified @param sign 1 or -1
+     * @param factor L. Modified.
+     * @param x modified
+     * @param sign 1 or -1
      * @return false if the result is not positive definite; then L is worth nothing
      */
     static boolean update(double[] factor, double[] x, int d, int sign) {

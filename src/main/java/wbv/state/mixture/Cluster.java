@@ -57,7 +57,11 @@ final class Cluster {
         prepare();
     }
 
-    /** Takes a row away again. @return false if rounding has spoilt the covariance; then {@link #clear} and add anew */
+    /**
+     * Takes a row away again.
+     *
+     * @return false if rounding has spoilt the covariance; then {@link #clear} and add anew
+     */
     boolean remove(double[] x) {
         double k = prior.strength() + rows;
         double root = Math.sqrt(k / (k - 1));

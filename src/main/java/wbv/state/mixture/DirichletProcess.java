@@ -32,9 +32,10 @@ public final class DirichletProcess {
     /**
      * A chain that begins with all rows in one cluster.
      *
-     * @param rows n by d, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between sweeps if he calls
-     *             {@link #rebuild}.
-     * @param a shape and @param b rate of the concentration's gamma prior, &gt; 0
+     * @param rows n by d, each column in its own unit, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between
+     *             sweeps if he calls {@link #rebuild}.
+     * @param a shape [1] and
+     * @param b rate [1] of the concentration's gamma prior, &gt; 0
      */
     public DirichletProcess(double[][] rows, NormalWishart prior, double a, double b, RandomGenerator random) {
         if (rows.length == 0 || !(a > 0 && b > 0)) {
@@ -57,7 +58,7 @@ public final class DirichletProcess {
         return clusters.size();
     }
 
-    /** α now. */
+    /** α now [1]. */
     public double concentration() {
         return concentration;
     }
@@ -67,7 +68,12 @@ public final class DirichletProcess {
         return assigned[row];
     }
 
-    /** Sets the state of the chain. @param labels 0, 1, … without holes. Not modified, not kept. */
+    /**
+     * Sets the state of the chain.
+     *
+     * @param labels 0, 1, … without holes. Not modified, not kept.
+     * @param alpha α [1], &gt; 0
+     */
     public void set(int[] labels, double alpha) {
         System.arraycopy(labels, 0, assigned, 0, assigned.length);
         concentration = alpha;
@@ -191,8 +197,10 @@ public final class DirichletProcess {
     /**
      * The likeliest of the mixtures that a chain visits.
      *
-     * @param rows n by d, finite. Not modified. @param share of the rows' variances that a component is thought to have
-     * @param sweeps of the chain; the first half is not looked at @param fewest rows of a component that is kept
+     * @param rows n by d, each column in its own unit, finite. Not modified.
+     * @param share of the rows' variances that a component is thought to have
+     * @param sweeps of the chain; the first half is not looked at
+     * @param fewest rows of a component that is kept
      * @param progress hears the share of sweeps done
      */
     public static Mixture fit(double[][] rows, double share, int sweeps, int fewest, CovarianceShape form, RandomGenerator random,

@@ -44,8 +44,10 @@ public final class Gaussian implements Serializable {
      * A density with a covariance that is lifted where it is too narrow: no variance falls below the floor, and a matrix that
      * is not positive definite gets the floor added to its diagonal until it is.
      *
-     * @param mean length d. Copied. @param covariance d by d, by rows, symmetric; off its diagonal not looked at where the shape
-     *             is diagonal. Copied. @param floor least variance of every dimension, &gt; 0. Not modified.
+     * @param mean length d, each number in its own unit. Copied.
+     * @param covariance d by d, by rows, in products of those units, symmetric;
+     * off its diagonal not looked at where the shape is diagonal. Copied.
+     * @param floor least variance by dimension, in the square of its unit, &gt; 0. Not modified.
      * @throws IllegalArgumentException if a number is not finite or the sizes do not fit
      */
     public static Gaussian of(CovarianceShape shape, double[] mean, double[] covariance, double[] floor) {
@@ -87,8 +89,8 @@ public final class Gaussian implements Serializable {
     /**
      * A density with exactly this covariance.
      *
-     * @param mean       d. Not modified.
-     * @param covariance d by d, by rows. Not modified.
+     * @param mean       length d, each number in its own unit. Not modified.
+     * @param covariance d by d, by rows, in products of those units. Not modified.
      * @throws IllegalArgumentException if it is not positive definite
      */
     public static Gaussian exact(CovarianceShape shape, double[] mean, double[] covariance) {
@@ -125,36 +127,43 @@ public final class Gaussian implements Serializable {
         return shape;
     }
 
-    /** Mean of a dimension. */
+    /** Mean of a dimension, in its unit. */
     public double mean(int i) {
         return mean[i];
     }
 
-    /** Covariance of two dimensions. */
+    /** Covariance of two dimensions, in the product of their units. */
     public double covariance(int i, int j) {
         return covariance[i * mean.length + j];
     }
 
-    /** A copy of the mean. */
+    /** A copy of the mean, length d, each number in its own unit. */
     public double[] mean() {
         return mean.clone();
     }
 
-    /** A copy of the covariance, by rows. */
+    /** A copy of the covariance, by rows, in products of the means' units. */
     public double[] covariance() {
         return covariance.clone();
     }
 
     /**
-     * ln p(x).
+     * ln p(x) [nat].
      *
-     * @param x length d. Not modified. @param scratch at least d long. Modified.
+     * @param x length d, in the means' units. Not modified.
+     * @param scratch room of no unit, at least d long. Modified.
      */
     public double logDensity(double[] x, double[] scratch) {
         return logDensity(x, scratch, 0);
     }
 
-    /** The same. @param x length d. Not modified. @param scratch Modified. @param from first of the d places of the scratch */
+    /**
+     * The same.
+     *
+     * @param x likewise. Not modified.
+     * @param scratch likewise. Modified.
+     * @param from first of the d places of the scratch
+     */
     public double logDensity(double[] x, double[] scratch, int from) {
         int d = mean.length;
         double even = 0;
@@ -194,7 +203,11 @@ public final class Gaussian implements Serializable {
         return logScale - 0.5 * even;
     }
 
-    /** A random point. @param into length d. Modified. */
+    /**
+     * A random point.
+     *
+     * @param into length d, in the means' units. Modified.
+     */
     public void sample(RandomGenerator random, double[] into) {
         int d = mean.length;
         double[] white = new double[d];

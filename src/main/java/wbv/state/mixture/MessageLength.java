@@ -23,9 +23,11 @@ import org.apache.commons.math3.random.RandomGenerator;
  * <li>After every convergence the component goes whose loss lengthens the message least. The paper takes the least weight,
  * which loses a small true component before one of two that share a large one.</ul>
  *
- * @param fewest components at the end of the search, &gt;= 1 @param most components to begin with
- * @param shape  of the covariances @param tolerance relative change of L at which a number of components is done
- * @param floor  least variance over that of the data, &lt; 1
+ * @param fewest components at the end of the search, &gt;= 1
+ * @param most components to begin with
+ * @param shape  of the covariances
+ * @param tolerance relative change of L at which a number of components is done
+ * @param floor  ratio of the least variance to that of the data, &lt; 1
  */
 public record MessageLength(int fewest, int most, CovarianceShape shape, double tolerance, double floor) {
 
@@ -49,13 +51,19 @@ public record MessageLength(int fewest, int most, CovarianceShape shape, double 
         return new MessageLength(few, many, shape, tolerance, floor);
     }
 
-    /** What was found. @param length of the message [nats] @param sweeps through all components */
+    /**
+     * What was found.
+     *
+     * @param length of the message [nats]
+     * @param sweeps through all components
+     */
     public record Result(Mixture mixture, double length, int sweeps) {}
 
     /**
      * Fits.
      *
-     * @param rows     n by d, finite, n &gt;= 1. Not modified. @param random chooses where components begin
+     * @param rows     n by d, each column in its own unit, finite, n &gt;= 1. Not modified.
+     * @param random chooses where components begin
      * @param progress hears the share of components that are done
      * @throws IllegalArgumentException if there are no rows
      */

@@ -8,7 +8,7 @@ import wbv.signal.LogSum;
 /**
  * A mixture of normal densities, Σ w_m N(x; μ_m, C_m).
  *
- * @param weights    one for each component, &gt;= 0, summing to one. Not copied; do not change them.
+ * @param weights    shares, one for each component, &gt;= 0, summing to one. Not copied; do not change them.
  * @param components at least one, all of one dimension
  */
 public record Mixture(double[] weights, List<Gaussian> components) implements Serializable {
@@ -53,11 +53,12 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
     }
 
     /**
-     * ln p(x).
+     * ln p(x) [nat].
      * Thesis: Eq. 7-1.
      *
-     * @param x length d. Not modified. @param logs ln w_m N(x; μ_m, C_m) of every component, at least {@link #size} long.
-     *          Modified. @param scratch at least d long. Modified.
+     * @param x length d, each number in its own unit. Not modified.
+     * @param logs ln w_m N(x; μ_m, C_m) [nat] of every component, at least {@link #size} long. Modified.
+     * @param scratch room of no unit, at least d long. Modified.
      */
     public double logDensity(double[] x, double[] logs, double[] scratch) {
         if (weights.length == 1) {
@@ -70,7 +71,11 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return LogSum.of(logs, weights.length);
     }
 
-    /** ln p of all rows. @param rows n by d. Not modified. */
+    /**
+     * ln p of all rows [nat].
+     *
+     * @param rows n by d, each column in its own unit. Not modified.
+     */
     public double logLikelihood(double[][] rows) {
         double[] logs = new double[size()];
         double[] scratch = new double[dimensions()];
@@ -81,7 +86,12 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return sum;
     }
 
-    /** The likeliest component of every row. @param rows n by d. Not modified. @return n */
+    /**
+     * The likeliest component of every row.
+     *
+     * @param rows n by d, each column in its own unit. Not modified.
+     * @return n
+     */
     public int[] labels(double[][] rows) {
         double[] logs = new double[size()];
         double[] scratch = new double[dimensions()];
@@ -95,7 +105,11 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return labels;
     }
 
-    /** A random point; returns its component. @param into length d. Modified. */
+    /**
+     * A random point; returns its component.
+     *
+     * @param into length d, each number in its own unit. Modified.
+     */
     public int sample(RandomGenerator random, double[] into) {
         double u = random.nextDouble();
         int m = 0;

@@ -8,8 +8,10 @@ import org.apache.commons.math3.random.RandomGenerator;
 /**
  * A normal inverse Wishart distribution of a mean and a covariance: C ~ IW(Ψ, ν), μ ~ N(m, C / κ). Conjugate to normal rows.
  *
- * @param mean  m, length d. Not copied; do not change it. @param strength κ, &gt; 0, in rows
- * @param scale Ψ, d by d, by rows. Not copied; do not change it. @param freedom ν, &gt; d - 1
+ * @param mean  m, length d, each number in its own unit. Not copied; do not change it.
+ * @param strength κ, a number of rows, &gt; 0
+ * @param scale Ψ, d by d, by rows, in products of those units. Not copied; do not change it.
+ * @param freedom ν, number of degrees of freedom, &gt; d - 1
  */
 public record NormalWishart(double[] mean, double strength, double[] scale, double freedom) implements Serializable {
 
@@ -24,7 +26,8 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
      * A vague one for rows: their mean with the weight of a hundredth of a row, and covariances about this share of theirs,
      * with the weight of as few rows as a mean covariance needs.
      *
-     * @param rows n by d. Not modified. @param share of the rows' variances that a component is thought to have
+     * @param rows n by d, each column in its own unit. Not modified.
+     * @param share of the rows' variances that a component is thought to have
      */
     public static NormalWishart about(double[][] rows, double share) {
         Spread spread = Spread.of(CovarianceShape.DIAGONAL, rows);
@@ -85,7 +88,11 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
         return Gaussian.of(CovarianceShape.FULL, centre, covariance, floor);
     }
 
-    /** A random number of the gamma distribution. @param rate one over the scale */
+    /**
+     * A random number of the gamma distribution.
+     *
+     * @param rate one over the scale
+     */
     static double gamma(RandomGenerator random, double shape, double rate) {
         return new GammaDistribution(random, shape, 1 / rate).sample();
     }

@@ -13,7 +13,11 @@ public final class Spread {
     private final CovarianceShape shape;
     private double weight;
 
-    /** No rows yet. @param about a point near the rows. Copied, not modified. */
+    /**
+     * No rows yet.
+     *
+     * @param about a point near the rows, length d, each number in its own unit. Copied, not modified.
+     */
     public Spread(CovarianceShape shape, double[] about) {
         this.shape = shape;
         this.d = about.length;
@@ -23,7 +27,12 @@ public final class Spread {
         this.products = new double[d * d];
     }
 
-    /** Adds a row. @param w its weight @param x Not modified. */
+    /**
+     * Adds a row.
+     *
+     * @param w its weight [1]
+     * @param x length d, each number in its own unit. Not modified.
+     */
     public void add(double w, double[] x) {
         weight += w;
         for (int i = 0; i < d; i++) {
@@ -54,12 +63,12 @@ public final class Spread {
         }
     }
 
-    /** Sum of the weights. */
+    /** Sum of the weights [1]. */
     public double weight() {
         return weight;
     }
 
-    /** Weighted mean. A new array. */
+    /** Weighted mean, length d, each number in its own unit. A new array. */
     public double[] mean() {
         double[] mean = new double[d];
         for (int i = 0; i < d; i++) {
@@ -68,7 +77,7 @@ public final class Spread {
         return mean;
     }
 
-    /** The covariance with the sum of weights as divisor, d by d. */
+    /** The covariance with the sum of weights as divisor, d by d, in products of the rows' units. */
     public double[] covariance() {
         double[] covariance = new double[d * d];
         for (int i = 0; i < d; i++) {
@@ -81,7 +90,11 @@ public final class Spread {
         return covariance;
     }
 
-    /** Of rows with equal weights. @throws IllegalArgumentException if there are none */
+    /**
+     * Of rows with equal weights.
+     *
+     * @throws IllegalArgumentException if there are none
+     */
     static Spread of(CovarianceShape shape, double[][] rows) {
         if (rows.length == 0) {
             throw new IllegalArgumentException("mean and covariance need at least one row");
@@ -94,9 +107,10 @@ public final class Spread {
     }
 
     /**
-     * Least variances for densities of these rows: a share of the variance, and something above zero where there is none.
+     * Least variances for densities of these rows, by dimension, in the squares of their units: a share of the variance, and something
+     * above zero where there is none.
      *
-     * @param rows Not modified.
+     * @param rows n by d, each column in its own unit. Not modified.
      */
     public static double[] floor(double[][] rows, double share) {
         Spread spread = of(CovarianceShape.DIAGONAL, rows);

@@ -14,22 +14,35 @@ import wbv.control.trial.Front;
 /**
  * A comparison of controlled seats for machines; {@code wbv seat} writes it as {@code seat.json}.
  *
- * @param format     always {@code wbv-seat} @param version of the form, 1
+ * @param format     always {@code wbv-seat}
+ * @param version of the form, 1
  * @param simulated  true: nobody was shaken for it
- * @param provenance what made it @param seat the hardware @param settle_s ridden but not judged @param seconds judged of each ride
+ * @param provenance what made it
+ * @param seat the hardware
+ * @param settle_s ridden but not judged
+ * @param seconds judged of each ride
  * @param gains      by family, what knowing the sitter is worth at equal stroke
  */
 public record SeatResults(String format, int version, boolean simulated, Map<String, String> provenance, SeatHardware seat, double settle_s,
         double seconds, double jolt_m_s2, long seed, List<Surface> floors, Map<String, Comparison.Gain> gains) {
 
-    /** What came of it on one floor. @param limit of SEAT, assumed; empty for roads @param skyhook_Ns_per_m whose stroke all are given */
+    /**
+     * What came of it on one floor.
+     *
+     * @param limit of SEAT, assumed; empty for roads
+     * @param skyhook_Ns_per_m whose stroke all are given
+     */
     public record Surface(String floor, String description, double rms_m_s2, Optional<Double> limit, double skyhook_Ns_per_m,
             List<Summary> at_equal_stroke, List<Rider> sitters) {}
 
     /** Mean over sitters; the greatest stroke is the greatest of all. */
     public record Summary(String controller, String knowledge, Front.AtStroke mean) {}
 
-    /** What came of it under one sitter. @param stroke_rms_m that all are given */
+    /**
+     * What came of it under one sitter.
+     *
+     * @param stroke_rms_m that all are given
+     */
     public record Rider(String sitter, double mass_kg, double stroke_rms_m, List<Front> fronts) {}
 
     static SeatResults of(Comparison comparison, Map<String, String> provenance) {

@@ -146,11 +146,11 @@ class NuisancesTest {
         boolean[] off = new boolean[nuisances.count()];
         off[1] = true;
         Random random = new Random(7);
-        double[] r = new double[nuisances.column(0).length];
+        double[] r = new double[nuisances.columns().get(0).length];
         for (int i = 0; i < nuisances.count(); i++) {
             double size = 8 * random.nextGaussian();
             for (int k = 0; k < r.length; k++) {
-                r[k] += size * nuisances.column(i)[k];
+                r[k] += size * nuisances.columns().get(i)[k];
             }
         }
         Nuisances.Explained found = nuisances.explain(r, off);

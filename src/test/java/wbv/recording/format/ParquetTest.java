@@ -38,8 +38,8 @@ import wbv.recording.RowReader;
 import wbv.recording.Unit;
 
 /**
- * Parquet: files that pandas, polars and pyarrow wrote (src/test/resources/signals), read to the last bit; what we write, read back; damaged
- * ones, and such as state more than they hold, refused in one line.
+ * Parquet: files that pandas, polars and pyarrow wrote (src/test/resources/signals), read to the last bit; what we write, read back;
+ * damaged ones, and such as state more than they hold, refused in one line.
  */
 class ParquetTest {
 

@@ -3,7 +3,8 @@ package wbv.rig.concealed.law;
 /**
  * Drag of a fluid that answers late: f' = (c2 |v| v - f)/τ.
  *
- * @param c2 [N s²/m²] @param lag τ [s]
+ * @param c2 [N s²/m²]
+ * @param lag τ [s]
  */
 public record LaggedDrag(double c2, double lag) implements LinkPhysics {
 

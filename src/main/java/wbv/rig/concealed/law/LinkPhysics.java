@@ -14,8 +14,11 @@ public interface LinkPhysics {
     /**
      * The force that pulls the upper body towards the lower one [N].
      *
-     * @param t time [s] @param r extension [m] @param v its rate [m/s] @param y all states. Not modified. @param at own first
-     * state
+     * @param t time [s]
+     * @param r extension [m]
+     * @param v its rate [m/s]
+     * @param y as long as all states, each in its own unit. Not modified.
+     *          @param at own first state
      */
     double force(double t, double r, double v, double[] y, int at);
 
@@ -24,9 +27,24 @@ public interface LinkPhysics {
         return 0;
     }
 
-    /** Writes the rates of the inner states. @param into Modified at its own places. */
+    /**
+     * Writes the rates of the inner states.
+     *
+     * @param t time [s]
+     * @param r extension [m]
+     * @param v its rate [m/s]
+     * @param y as long as all states, each in its own unit. Not modified.
+     * @param at own first state
+     * @param into as long, in those units per second. Modified at its own places.
+     */
     default void rates(double t, double r, double v, double[] y, int at, double[] into) {}
 
-    /** The end of a step. @param t time [s] @param r extension [m] @param v its rate [m/s] */
+    /**
+     * The end of a step.
+     *
+     * @param t time [s]
+     * @param r extension [m]
+     * @param v its rate [m/s]
+     */
     default void commit(double t, double r, double v) {}
 }

@@ -3,7 +3,12 @@ package wbv.rig.concealed.law;
 /**
  * A spring, a dashpot and two arms of spring and dashpot in series.
  *
- * @param arm1 @param arm2 stiffness of the arms [N/m] @param tau1 @param tau2 their relaxation times [s]
+ * @param k of the spring [N/m]
+ * @param c of the dashpot [N s/m]
+ * @param arm1
+ * @param arm2 stiffness of the arms [N/m]
+ * @param tau1
+ * @param tau2 their relaxation times [s]
  */
 public record MaxwellArms(double k, double c, double arm1, double tau1, double arm2, double tau2) implements LinkPhysics {
 

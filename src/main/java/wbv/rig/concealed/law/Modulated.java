@@ -5,7 +5,10 @@ import java.util.function.DoubleUnaryOperator;
 /**
  * A spring and dashpot whose values change with time.
  *
- * @param factor of the stiffness at a time in s @param damped the power of it on the damping
+ * @param k of the spring [N/m]
+ * @param c of the dashpot [N s/m]
+ * @param factor of the stiffness at a time in s
+ * @param damped exponent with which it acts on the damping
  */
 public record Modulated(double k, double c, DoubleUnaryOperator factor, double damped) implements LinkPhysics {
 
@@ -15,7 +18,13 @@ public record Modulated(double k, double c, DoubleUnaryOperator factor, double d
         return k * f * r + c * (damped == 0 ? 1 : damped == 1 ? f : Math.pow(f, damped)) * v;
     }
 
-    /** From 1 to another value along half a cosine. @param start [s] @param seconds &gt; 0 */
+    /**
+     * A factor from 1 to another along half a cosine.
+     *
+     * @param start [s]
+     * @param seconds &gt; 0
+     * @param end the other factor
+     */
     public static DoubleUnaryOperator ramp(double start, double seconds, double end) {
         return t -> {
             double share = Math.max(0, Math.min(1, (t - start) / seconds));
@@ -23,7 +32,12 @@ public record Modulated(double k, double c, DoubleUnaryOperator factor, double d
         };
     }
 
-    /** From 1 towards another value, fast at first. @param seconds time constant */
+    /**
+     * A factor from 1 towards another, fast at first.
+     *
+     * @param seconds time constant
+     * @param end the other factor
+     */
     public static DoubleUnaryOperator creep(double seconds, double end) {
         return t -> 1 + (end - 1) * (1 - Math.exp(-Math.max(0, t) / seconds));
     }

@@ -10,7 +10,14 @@ public final class Mullins implements LinkPhysics {
     private final double fading;
     private double peak;
 
-    /** At rest. @param loss stiffness lost at rest [N/m] @param memory [s] @param least p at the start [m] @param h step of the run [s] */
+    /**
+     * At rest.
+     *
+     * @param loss stiffness lost at rest [N/m]
+     * @param memory [s]
+     * @param least p at the start [m]
+     * @param h step of the run [s]
+     */
     public Mullins(double loss, double memory, double least, double h) {
         this.loss = loss;
         this.fading = Math.exp(-h / memory);

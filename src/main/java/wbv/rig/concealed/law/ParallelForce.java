@@ -1,6 +1,12 @@
 package wbv.rig.concealed.law;
 
-/** A spring, a dashpot and another force beside them. @param other the force beside k r + c v, its states and its inertance */
+/**
+ * A spring, a dashpot and another force beside them.
+ *
+ * @param k of the spring [N/m]
+ * @param c of the dashpot [N s/m]
+ * @param other the force beside k r + c v, its states and its inertance
+ */
 public record ParallelForce(double k, double c, LinkPhysics other) implements LinkPhysics {
 
     @Override

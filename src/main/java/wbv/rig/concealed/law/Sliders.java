@@ -16,7 +16,7 @@ public final class Sliders implements LinkPhysics {
      * @param k [N/m]
      * @param c [N s/m]
      * @param share of k on sliders, 0 to 1
-     * @param yield extension at which each gives way [m]. Not modified.
+     * @param yield extension at which each gives way [m], as long as there are sliders. Not modified.
      */
     public Sliders(double k, double c, double share, double[] yield) {
         this.k = k;

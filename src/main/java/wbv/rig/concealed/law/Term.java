@@ -46,7 +46,11 @@ public record Term(List<Factor> factors, OptionalDouble memory) {
         return new Term(List.of(factors), OptionalDouble.empty());
     }
 
-    /** A product that lags. @param memory [s] */
+    /**
+     * A product that lags.
+     *
+     * @param memory [s]
+     */
     public static Term lagged(double memory, Factor... factors) {
         return new Term(List.of(factors), OptionalDouble.of(memory));
     }

@@ -4,7 +4,11 @@ package wbv.rig.concealed.law;
  * A spring that loosens with the power it has lately felt and recovers slowly: k (1 - loss m/(m + m0)), m the mean square rate
  * over a memory of seconds.
  *
- * @param loss share of k lost at most @param level m0 [m²/s²] @param memory [s]
+ * @param k of the spring [N/m]
+ * @param c of the dashpot [N s/m]
+ * @param loss share of k lost at most
+ * @param level m0 [m²/s²]
+ * @param memory [s]
  */
 public record Thixotropic(double k, double c, double loss, double level, double memory) implements LinkPhysics {
 
