@@ -21,8 +21,8 @@ import wbv.result.ResultsJson;
 /** {@code wbv map}: drafts the column map of a file whose columns nobody has named. */
 @Command(name = "map", mixinStandardHelpOptions = true,
         description = "Drafts the column map of a foreign table, or of a UFF, MAT, HDF5, Parquet or WAV file that does not say "
-                + "all: guesses time, units, axes and places from names and numbers, shows what it took each column for, asks what it could not know, and "
-                + "writes the map as JSON.",
+                + "all: guesses time, units, axes and places from names and numbers, shows what it took each column for, asks what it "
+                + "could not know, and writes the map as JSON.",
         footer = {"", "Examples:", "  wbv map phone.csv", "  wbv analyze phone.csv --map phone.map.json"})
 final class MapColumns implements Callable<Integer> {
 
