@@ -116,9 +116,9 @@ final class Track implements Callable<Integer> {
         if (asymptotes && !crossing.isEmpty()) {
             throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
         }
-        List<EstimatorDesign> recipes = recipes();
+        List<EstimatorDesign> designs = designs();
         TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), body.input(), body.outputs(),
-                Usage.channels(spec, crossing), recipes, body.startFrequency(), body.startDamping(),
+                Usage.channels(spec, crossing), designs, body.startFrequency(), body.startDamping(),
                 density.isPresent() ? Usage.within(spec, "--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
@@ -162,21 +162,21 @@ final class Track implements Callable<Integer> {
         return 0;
     }
 
-    private List<EstimatorDesign> recipes() {
+    private List<EstimatorDesign> designs() {
         List<String> names = estimators.contains(ALL) ? Method.words() : estimators;
         try {
             Constraint constraint = FixedBounds.parse(String.join(",", bounds));
-            List<EstimatorDesign> recipes = new ArrayList<>();
+            List<EstimatorDesign> designs = new ArrayList<>();
             for (String name : names.stream().distinct().toList()) {
                 Method method = Method.named(name).orElseThrow(() -> new IllegalArgumentException("--estimator must be one of "
                         + String.join(", ", Method.words()) + " or all: " + name));
-                recipes.add(new EstimatorDesign(method, degrees, particles, seed.number(),
+                designs.add(new EstimatorDesign(method, degrees, particles, seed.number(),
                         method == Method.CONSTRAINED ? constraint : Constraint.NONE));
             }
             if (constraint != Constraint.NONE && !names.contains(Method.CONSTRAINED.word())) {
                 throw new IllegalArgumentException("--bound needs --estimator constrained among the estimators");
             }
-            return recipes;
+            return designs;
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }

@@ -24,7 +24,7 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
      */
     public AccompaniedEstimator(Estimator estimator, int others) {
         this.estimator = estimator;
-        this.cross = new CrossAxes(estimator.spec().rate(), others);
+        this.cross = new CrossAxes(estimator.spec(), others);
     }
 
     /** Of the body alone: what it predicts of itself lacks the other motions' part. */
@@ -53,7 +53,7 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
     public BodyEstimate step(double u, double[] others, double y) {
         double part = cross.foresee(others);
         BodyEstimate track = estimator.step(u, y - part);
-        track.prediction += part;
+        track.foresee(track.prediction() + part);
         cross.learn(u, others, y);
         return track;
     }

@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.BodyModel;
 import wbv.filter.model.Bounds;
 import wbv.filter.model.ExcitationLevel;
@@ -17,8 +18,8 @@ import wbv.snapshot.StateWriter;
  * its own; after it they are weighed by how well they foresaw it. So the estimate is sluggish while nothing happens and quick
  * when something does, at once and without a threshold.
  *
- * <p>A way of wandering by {@code d} is left when it has moved the parameters by about {@link JointFilter#CHANGE}, after {@code
- * (CHANGE / d)²} seconds.
+ * <p>A way of wandering by {@code d} is left when it has moved the parameters by about {@link Adaptation.Wandering#change}, after {@code
+ * (change / d)²} seconds.
  *
  * <p>Beside them runs a witness: a filter of the body as it was when it last changed, which wanders least and is told nothing
  * by the others. How much better the mixture foresees than the witness is the {@linkplain #gain() evidence} of a change.
@@ -26,25 +27,13 @@ import wbv.snapshot.StateWriter;
 final class Bank implements BodyFilter {
 
     private static final long serialVersionUID = 1;
-    /** Drifts over that which is assumed. Of 0.003/√s: 2 % in an hour to a change within 0.7 s. */
-    private static final double[] FACTORS = {0.1, 1, 10, 100};
-    /** Which of them is as assumed. */
+    /** Filters; their drifts are as the powers of a ratio. */
+    private static final int MEMBERS = 4;
+    /** Which of them wanders as is assumed. */
     private static final int ASSUMED = 1;
-    /** Time after which any way of wandering is left, at the latest [s]; from 100 to 1000 it makes little difference. */
-    private static final double LONGEST = 300;
 
-    /**
-     * Input over its sensor's noise from which ways of wandering are told apart. Noise of the input dilutes the response, by its share
-     * of the input's power (a ninth here), as a change of the body would.
-     */
-    private static final double CLEAR = 3;
-
-    /** Time over which innovations larger than expected are taken for noise, which favours none of the filters [s]. */
-    private static final double MEMORY = 2;
-    /** ν²/S counts as this at most there, since a few large ones are a change; and its mean then where all is as expected. */
-    private static final double MOST = 4;
-    private static final double EXPECTED = 0.9205;
-
+    private final Adaptation.Wandering settings;
+    private final double expected;
     private final double forgetting;
     private final ExcitationLevel excitation;
     private final JointFilter[] members;
@@ -67,7 +56,7 @@ final class Bank implements BodyFilter {
     private final double[] merged;
     private final double[] ahead;
     private final double[] c = new double[InputWindow.POINTS];
-    private final Innovation innovation = new Innovation();
+    private final Innovation innovation;
     private boolean covarianceIsCurrent;
     private boolean told;
     private double surprise;
@@ -85,18 +74,21 @@ final class Bank implements BodyFilter {
      */
     Bank(Spec spec, BodyModel model, double offsetDecay, Maker maker) {
         int n = model.size();
-        int k = FACTORS.length;
+        int k = MEMBERS;
+        this.settings = spec.adaptation().wandering();
+        this.expected = settings.expectedSurprise();
+        this.innovation = new Innovation(spec);
         this.model = model;
-        this.forgetting = 1 / (MEMORY * spec.rate());
+        this.forgetting = 1 / (settings.surpriseMemory() * spec.rate());
         this.offsetDecay = offsetDecay;
         this.excitation = new ExcitationLevel(spec);
         this.members = new JointFilter[k];
-        Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
-        this.witness = maker.filter(FACTORS[0] * spec.drift());
+        Arrays.setAll(members, i -> maker.filter(factor(i) * spec.drift()));
+        this.witness = maker.filter(factor(0) * spec.drift());
         this.transition = new double[k][k];
         for (int i = 0; i < k; i++) {
-            double moved = JointFilter.CHANGE / (FACTORS[i] * spec.drift());
-            double leaves = Math.min(1, 1 / (spec.rate() * Math.min(LONGEST, moved * moved)));
+            double moved = settings.change() / (factor(i) * spec.drift());
+            double leaves = Math.min(1, 1 / (spec.rate() * Math.min(settings.longest(), moved * moved)));
             Arrays.fill(transition[i], leaves / (k - 1));
             transition[i][i] = 1 - leaves;
         }
@@ -146,7 +138,7 @@ final class Bank implements BodyFilter {
         Arrays.fill(weights, 1.0 / weights.length);
         told = false;
         excitation.reset();
-        surprise = EXPECTED;
+        surprise = expected;
         gain = 0;
         witnessNis = Double.NaN;
         merge();
@@ -207,9 +199,14 @@ final class Bank implements BodyFilter {
         }
     }
 
+    /** Drift of a filter over that which is assumed [1]. */
+    private double factor(int member) {
+        return Math.pow(settings.ratio(), member - ASSUMED);
+    }
+
     /** Whether a body that changes can be told from an input that is not what its sensor says. */
     private boolean judges() {
-        return informed() && excitation.level() > CLEAR;
+        return informed() && excitation.level() > settings.clear();
     }
 
     /**
@@ -332,7 +329,7 @@ final class Bank implements BodyFilter {
     @Override
     public void correct(double y, double variance, double samplesInOne) {
         told = true;
-        double scale = Math.max(1, surprise / EXPECTED);
+        double scale = Math.max(1, surprise / expected);
         double mean = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < members.length; i++) {
@@ -349,7 +346,7 @@ final class Bank implements BodyFilter {
             sum += weights[i] * likelihood[i];
         }
         innovation.set(mean, predicted, predicted + variance);
-        surprise += forgetting * (Math.min(MOST, mean * mean / (predicted + variance)) - surprise);
+        surprise += forgetting * (Math.min(settings.mostSurprise(), mean * mean / (predicted + variance)) - surprise);
         double unchanged = corrected(witness, y, variance, samplesInOne, scale);
         boolean judges = judges();
         gain = judges ? most + Math.log(sum) - unchanged : 0;

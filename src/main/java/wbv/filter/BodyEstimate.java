@@ -4,6 +4,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import wbv.filter.drift.ChangeTest;
 import wbv.filter.model.Bounds;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -17,35 +18,38 @@ public final class BodyEstimate implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
-    /** Relative standard deviation below which a parameter is found: nine tenths of what it starts with. */
-    private static final double FOUND = 0.9 * JointFilter.START;
+    /** Share of the deviation at the start below which a parameter is found [1]. */
+    private static final double FOUND = 0.9;
 
-    int modes = 1;
-    final double[] frequency = new double[Bounds.MODES];
-    final double[] damping = new double[Bounds.MODES];
-    final double[] frequencyDeviation = new double[Bounds.MODES];
-    final double[] dampingDeviation = new double[Bounds.MODES];
-    double share = 1;
-    boolean excited;
-    /** S of the innovation whose ν²/S is {@link #nis}. */
-    double innovationVariance;
-    double prediction;
-    double nis;
-    double outputNoise;
-    boolean changed;
+    private final double found;
+    private int modes = 1;
+    private final double[] frequency = new double[Bounds.MODES];
+    private final double[] damping = new double[Bounds.MODES];
+    private final double[] frequencyDeviation = new double[Bounds.MODES];
+    private final double[] dampingDeviation = new double[Bounds.MODES];
+    private double share = 1;
+    private boolean excited;
+    private double innovationVariance;
+    private double prediction;
+    private double nis;
+    private double outputNoise;
+    private boolean changed;
     /** The test that heard something at this sample. */
-    ChangeTest heard = ChangeTest.NONE;
+    private ChangeTest heard = ChangeTest.NONE;
     private final long[] alarms = new long[ChangeTest.values().length];
-    boolean settled;
-    long width;
-    long cuts;
-    long changes;
-    long divergences;
-    long gaps;
-    long missing;
-    long reseeds;
+    private boolean settled;
+    private long width;
+    private long cuts;
+    private long changes;
+    private long divergences;
+    private long gaps;
+    private long missing;
+    private long reseeds;
 
-    BodyEstimate() {}
+    /** @param spec with the deviation at the start */
+    BodyEstimate(Spec spec) {
+        this.found = FOUND * spec.adaptation().prior().parameters();
+    }
 
     /** As before the first sample, but for what the filter publishes after each. */
     void clear() {
@@ -62,6 +66,99 @@ public final class BodyEstimate implements Serializable, Snapshot {
         gaps = 0;
         missing = 0;
         reseeds = 0;
+    }
+
+    /**
+     * A sample begins, of which nothing was learned yet.
+     *
+     * @param foreseen the output, in its own unit
+     * @param whole    whether both samples came
+     */
+    void begin(double foreseen, boolean whole) {
+        foresee(foreseen);
+        nis = Double.NaN;
+        innovationVariance = Double.NaN;
+        excited = false;
+        hear(ChangeTest.NONE, false);
+        missing += whole ? 0 : 1;
+    }
+
+    /** What is foreseen of the output [its own unit]. */
+    void foresee(double output) {
+        prediction = output;
+    }
+
+    /** Whether the sample excited the body. */
+    void excite(boolean told) {
+        excited = told;
+    }
+
+    /**
+     * The output has corrected the estimate.
+     *
+     * @param squared  ν² [output's unit squared]
+     * @param expected S [output's unit squared]
+     */
+    void correct(double squared, double expected) {
+        nis = squared / expected;
+        innovationVariance = expected;
+    }
+
+    /** The input was missing for too long. */
+    void gap() {
+        gaps++;
+    }
+
+    /** The estimate began anew. */
+    void diverge() {
+        divergences++;
+    }
+
+    /** A member began from another. */
+    void reseed() {
+        reseeds++;
+    }
+
+    /**
+     * What is known of a mode.
+     *
+     * @param f0        natural frequency [Hz]
+     * @param deviation of its logarithm [1]
+     * @param zeta      damping ratio [1]
+     * @param spread    of its logarithm [1]
+     */
+    void know(int mode, double f0, double deviation, double zeta, double spread) {
+        frequency[mode] = f0;
+        frequencyDeviation[mode] = f0 * deviation;
+        damping[mode] = zeta;
+        dampingDeviation[mode] = zeta * spread;
+    }
+
+    /**
+     * What goes along with the modes.
+     *
+     * @param number of modes
+     * @param first  what the slower contributes at rest [1]
+     * @param noise  standard deviation that nothing explains [output's unit]
+     * @param found  whether the alarm listens
+     * @param window of the alarm, in samples
+     */
+    void stand(int number, double first, double noise, boolean found, long window) {
+        modes = number;
+        share = first;
+        outputNoise = noise;
+        settled = found;
+        width = window;
+    }
+
+    /** Takes what another knows beside its modes, alarms and divergences. */
+    void follow(BodyEstimate leader) {
+        stand(leader.modes, leader.share, leader.outputNoise, leader.settled, leader.width);
+        nis = leader.nis;
+        innovationVariance = leader.innovationVariance;
+        excited = leader.excited;
+        gaps = leader.gaps;
+        missing = leader.missing;
     }
 
     /**
@@ -143,7 +240,7 @@ public final class BodyEstimate implements Serializable, Snapshot {
 
     /** Whether the samples have told anything about the parameters that was not assumed before the first of them. */
     public boolean found() {
-        return frequencyDeviation[0] < FOUND * frequency[0] || dampingDeviation[0] < FOUND * damping[0];
+        return frequencyDeviation[0] < found * frequency[0] || dampingDeviation[0] < found * damping[0];
     }
 
     /** The output sample [m/s²] as foreseen from this input sample and everything before it. NaN before the first sample. */
@@ -154,6 +251,11 @@ public final class BodyEstimate implements Serializable, Snapshot {
     /** Normalised innovation squared ν²/S [1]: averages 1 while model and noise are right. NaN where nothing was corrected. */
     public double nis() {
         return nis;
+    }
+
+    /** S of the innovation whose ν²/S is {@link #nis} [output's unit squared]. */
+    double innovationVariance() {
+        return innovationVariance;
     }
 
     /** Standard deviation [m/s²] of what neither model nor input explains in an output sample; the sensor's at least. */

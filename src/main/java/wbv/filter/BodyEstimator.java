@@ -3,6 +3,7 @@ package wbv.filter;
 import java.util.Arrays;
 import wbv.filter.drift.Alarm;
 import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.BodyModel;
 import wbv.filter.model.InputWindow;
 import wbv.filter.model.Spec;
@@ -23,27 +24,22 @@ import wbv.snapshot.StateWriter;
 public final class BodyEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
-    /** Time for which parameters are held after a start, while the motion is found [s]. */
-    private static final double PATIENCE = 0.5;
-    private static final double PATIENCE_AFTER_DIVERGENCE = 5;
-    private static final double LONGEST_PATIENCE = 60;
-    private static final double LONGEST_GAP = 0.5;
-    /** Where to begin once more when the first body that is found explains little [Hz]; the last one found stays. */
-    private static final double[] ELSEWHERE = {5, 10};
-    /** An output that is still missing after this time is foreseen without one [s]. */
-    private static final double LONGEST_WAIT = 1;
+
+    /** How often it begins elsewhere because the body that was found explains little. */
+    private static final int MOST_TRIES = 2;
 
     private final Spec spec;
-    private final EstimatorDesign recipe;
+    private final EstimatorDesign design;
     private final boolean adapts;
-    private final BodyEstimate track = new BodyEstimate();
+    private final Adaptation.Restart settings;
+    private final BodyEstimate track;
     private final HighPassPair baseline;
     private final InputWindow window;
     private final BodyFilter filter;
     private final Confinement confinement;
     private final OutputNoise noise;
     private final ChangeTests tests;
-    private final InnovationWatch vigil;
+    private final InnovationWatch watch;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
     private final double[] elsewhere;
     private final double[] startDeviation;
@@ -65,24 +61,26 @@ public final class BodyEstimator implements Estimator {
         this(spec, alarm, EstimatorDesign.of(Method.EKF_ADWIN));
     }
 
-    /** @param recipe of a single filter, not of a fusion */
-    BodyEstimator(Spec spec, Alarm alarm, EstimatorDesign recipe) {
+    /** @param design of a single filter, not of a fusion */
+    BodyEstimator(Spec spec, Alarm alarm, EstimatorDesign design) {
         this.spec = spec;
-        this.recipe = recipe;
-        this.adapts = recipe.method() != Method.EKF;
-        this.baseline = new HighPassPair(spec.rate());
-        this.window = new InputWindow(spec.rate());
-        EstimatorDesign.Confined confined = recipe.filter(spec, baseline.decay());
+        this.design = design;
+        this.adapts = design.method() != Method.EKF;
+        this.settings = spec.adaptation().restart();
+        this.track = new BodyEstimate(spec);
+        this.baseline = new HighPassPair(spec);
+        this.window = new InputWindow(spec);
+        EstimatorDesign.Confined confined = design.filter(spec, baseline.decay());
         this.filter = confined.filter();
         this.confinement = confined.confinement();
-        this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
-        this.tests = filter instanceof Bank bank ? new Witness(spec.rate(), bank) : new OwnInnovations(spec.rate());
-        this.vigil = new InnovationWatch(spec.rate(), alarm, tests);
+        this.noise = new OutputNoise(spec);
+        this.tests = filter instanceof Bank bank ? new Witness(spec, bank) : new OwnInnovations(spec);
+        this.watch = new InnovationWatch(spec, alarm, tests);
         this.elsewhere = new double[filter.model().size()];
         this.startDeviation = new double[filter.model().parameters()];
-        Arrays.fill(startDeviation, JointFilter.START);
+        Arrays.fill(startDeviation, spec.adaptation().prior().parameters());
         this.scatter = new ObservedScatter[filter.model().parameters()];
-        Arrays.setAll(scatter, i -> new ObservedScatter(spec.rate()));
+        Arrays.setAll(scatter, i -> new ObservedScatter(spec));
         this.parametersBefore = new double[scatter.length];
         this.variancesBefore = new double[scatter.length];
         reset();
@@ -94,8 +92,8 @@ public final class BodyEstimator implements Estimator {
     }
 
     @Override
-    public EstimatorDesign recipe() {
-        return recipe;
+    public EstimatorDesign design() {
+        return design;
     }
 
     @Override
@@ -128,7 +126,7 @@ public final class BodyEstimator implements Estimator {
         tries = 0;
         withoutInput = 0;
         withoutOutput = 0;
-        patience = PATIENCE;
+        patience = settings.patience();
         beginAnew();
         publish();
     }
@@ -145,7 +143,7 @@ public final class BodyEstimator implements Estimator {
      * @param deviation of each of them
      */
     void seedFrom(double[] xi, double[] deviation) {
-        tries = ELSEWHERE.length;
+        tries = MOST_TRIES;
         restartAt(xi, deviation);
         publish();
     }
@@ -154,8 +152,8 @@ public final class BodyEstimator implements Estimator {
         filter.startAt(xi, deviation);
         restartScatter();
         noise.reset();
-        vigil.restart();
-        patience = PATIENCE;
+        watch.restart();
+        patience = settings.patience();
         restartMotion();
     }
 
@@ -172,12 +170,7 @@ public final class BodyEstimator implements Estimator {
     public BodyEstimate step(double u, double y) {
         boolean hasInput = Double.isFinite(u);
         boolean hasOutput = Double.isFinite(y);
-        track.prediction = predict(u);
-        track.nis = Double.NaN;
-        track.innovationVariance = Double.NaN;
-        track.excited = false;
-        track.hear(ChangeTest.NONE, false);
-        track.missing += hasInput && hasOutput ? 0 : 1;
+        track.begin(predict(u), hasInput && hasOutput);
         confinement.begin();
         start(u, hasInput, y, hasOutput);
         if (baseline.started() && !inGap(hasInput)) {
@@ -192,7 +185,7 @@ public final class BodyEstimator implements Estimator {
         withoutOutput = hasOutput ? 0 : withoutOutput + 1 / spec.rate();
         if (!baseline.started() && hasInput && hasOutput) {
             baseline.start(u, y);
-        } else if (!baseline.started() && hasInput && withoutOutput > LONGEST_WAIT) {
+        } else if (!baseline.started() && hasInput && withoutOutput > settings.longestWait()) {
             baseline.startInput(u);
         } else if (baseline.started() && !baseline.hasOutput() && hasOutput) {
             baseline.startOutput(y);
@@ -200,11 +193,11 @@ public final class BodyEstimator implements Estimator {
     }
 
     private boolean inGap(boolean hasInput) {
-        boolean before = withoutInput > LONGEST_GAP;
+        boolean before = withoutInput > settings.longestGap();
         withoutInput = hasInput ? 0 : withoutInput + 1 / spec.rate();
-        boolean now = withoutInput > LONGEST_GAP;
+        boolean now = withoutInput > settings.longestGap();
         if (now && !before) {
-            track.gaps++;
+            track.gap();
             restartMotion();
         }
         if (now) {
@@ -220,8 +213,8 @@ public final class BodyEstimator implements Estimator {
         System.arraycopy(delayedOutput, 1, delayedOutput, 0, InputWindow.LATENCY);
         delayedOutput[InputWindow.LATENCY] = hasOutput ? baseline.output(y) : Double.NaN;
         if (hasInput && hasOutput) {
-            double surprise = Innovation.limited(y - track.prediction, variance());
-            baseline.advance(u, vigil.settled() ? track.prediction + surprise : y);
+            double surprise = filter.innovation().limited(y - track.prediction(), variance());
+            baseline.advance(u, watch.settled() ? track.prediction() + surprise : y);
         } else if (hasInput && !baseline.hasOutput()) {
             baseline.advanceInput(u);
         }
@@ -231,7 +224,7 @@ public final class BodyEstimator implements Estimator {
         moving += 1 / spec.rate();
         boolean gapped = window.gapped();
         filter.advance(window, adapts && (gapped || moving < patience));
-        track.excited = filter.informed();
+        track.excite(filter.informed());
         boolean lost = false;
         double y = delayedOutput[0];
         if (Double.isFinite(y)) {
@@ -241,8 +234,8 @@ public final class BodyEstimator implements Estimator {
         }
         confinement.apply();
         if (lost || !filter.sane()) {
-            track.divergences++;
-            patience = Math.min(LONGEST_PATIENCE, Math.max(PATIENCE_AFTER_DIVERGENCE, 2 * patience));
+            track.diverge();
+            patience = Math.min(settings.longestPatience(), Math.max(settings.patienceAfterDivergence(), 2 * patience));
             beginAnew();
         }
     }
@@ -255,8 +248,7 @@ public final class BodyEstimator implements Estimator {
         hearMoves();
         Innovation innovation = filter.innovation();
         double s = innovation.predictedVariance() + variance;
-        track.nis = innovation.value() * innovation.value() / s;
-        track.innovationVariance = s;
+        track.correct(innovation.value() * innovation.value(), s);
         if (!adapts) {
             return false;
         }
@@ -328,11 +320,12 @@ public final class BodyEstimator implements Estimator {
      * @param s variance of the innovation
      */
     private boolean judge(double s) {
-        boolean settled = vigil.settled();
+        boolean settled = watch.settled();
         double believed = filter.innovation().believed();
         double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
-        InnovationWatch.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent, noise);
-        if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
+        InnovationWatch.Verdict verdict = watch.hear(track.nis(), believed / independent, filter.sensitivity().slope(0) / independent,
+                noise);
+        if (!settled && watch.settled() && noise.explainsLittle() && tries < MOST_TRIES) {
             beginElsewhere();
             return false;
         }
@@ -347,21 +340,22 @@ public final class BodyEstimator implements Estimator {
             }
             default -> {}
         }
-        track.hear(vigil.heardBy(), verdict == InnovationWatch.Verdict.CHANGED);
+        track.hear(watch.heardBy(), verdict == InnovationWatch.Verdict.CHANGED);
         if (verdict == InnovationWatch.Verdict.QUIET) {
-            patience = PATIENCE;
+            patience = settings.patience();
             noise.correlate(believed / Math.sqrt(s));
-            filter.learnDrift(vigil.width());
+            filter.learnDrift(watch.width());
         }
         return verdict == InnovationWatch.Verdict.LOST;
     }
 
     /** At another natural frequency, the modes as far apart as at the start. */
     private void beginElsewhere() {
+        double to = tries == 0 ? settings.elsewhere() : settings.elsewhereAgain();
         BodyModel model = filter.model();
         model.start(elsewhere);
         for (int m = 0; m < model.modes(); m++) {
-            elsewhere[model.states() + 2 * m] += Math.log(ELSEWHERE[tries] / spec.frequency());
+            elsewhere[model.states() + 2 * m] += Math.log(to / spec.frequency());
         }
         tries++;
         restartAt(elsewhere, startDeviation);
@@ -372,7 +366,7 @@ public final class BodyEstimator implements Estimator {
         filter.start();
         restartScatter();
         noise.reset();
-        vigil.restart();
+        watch.restart();
         restartMotion();
     }
 
@@ -387,18 +381,11 @@ public final class BodyEstimator implements Estimator {
         BodyModel model = filter.model();
         double[] mean = filter.mean();
         boolean swap = model.modes() == 2 && model.frequency(0, mean) > model.frequency(1, mean);
-        track.modes = model.modes();
         for (int m = 0; m < model.modes(); m++) {
             int from = swap ? 1 - m : m;
-            track.frequency[m] = model.frequency(from, mean);
-            track.damping[m] = model.damping(from, mean);
-            track.frequencyDeviation[m] = track.frequency[m] * deviation(2 * from);
-            track.dampingDeviation[m] = track.damping[m] * deviation(2 * from + 1);
+            track.know(m, model.frequency(from, mean), deviation(2 * from), model.damping(from, mean), deviation(2 * from + 1));
         }
-        track.share = model.share(mean);
-        track.outputNoise = Math.sqrt(variance());
-        track.settled = vigil.settled();
-        track.width = vigil.width();
+        track.stand(model.modes(), model.share(mean), Math.sqrt(variance()), watch.settled(), watch.width());
     }
 
     @Override
@@ -409,7 +396,7 @@ public final class BodyEstimator implements Estimator {
         out.put(filter);
         out.put(confinement);
         out.put(noise);
-        out.put(vigil);
+        out.put(watch);
         out.put(delayedOutput);
         out.put(scatter);
         out.put(parametersBefore);
@@ -428,7 +415,7 @@ public final class BodyEstimator implements Estimator {
         in.part(filter);
         in.part(confinement);
         in.part(noise);
-        in.part(vigil);
+        in.part(watch);
         in.numbers(delayedOutput);
         in.parts(scatter);
         in.numbers(parametersBefore);

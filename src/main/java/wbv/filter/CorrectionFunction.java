@@ -56,8 +56,8 @@ public final class CorrectionFunction {
         this.y = y.clone();
         this.adapts = adapts;
         this.model = new OneDegree(spec, true);
-        this.baseline = new HighPassPair(spec.rate());
-        this.window = new InputWindow(spec.rate());
+        this.baseline = new HighPassPair(spec);
+        this.window = new InputWindow(spec);
     }
 
     /**
@@ -83,7 +83,7 @@ public final class CorrectionFunction {
         xi[2] = Math.log(2 * Math.PI * frequency);
         xi[3] = Math.log(damping);
         restart();
-        OutputNoise noise = new OutputNoise(spec.rate(), spec.outputNoise());
+        OutputNoise noise = new OutputNoise(spec);
         double[] delayed = new double[InputWindow.LATENCY + 1];
         Arrays.fill(delayed, Double.NaN);
         double[] f = new double[2];
@@ -141,7 +141,7 @@ public final class CorrectionFunction {
         window.reset();
         Arrays.fill(p, 0);
         Arrays.fill(w, 0);
-        double motion = JointFilter.START_MOTION / (2 * Math.PI * spec.frequency());
+        double motion = spec.adaptation().prior().motion() / (2 * Math.PI * spec.frequency());
         p[0] = motion * motion;
         p[3] = motion * motion;
     }

@@ -2,6 +2,8 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.filter.model.Adaptation;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -12,7 +14,7 @@ import wbv.snapshot.StateWriter;
  *
  * <p>The output is taken for a sum of responses to the estimator's own input and to the others, each a series of {@value
  * #TERMS} discrete Laguerre functions (Wahlberg, IEEE Trans. Automatic Control 1991), whose coefficients a Kalman filter follows
- * sample by sample. They wander back towards zero within {@value #MEMORY} s where nothing tells about them, so that their
+ * sample by sample. They wander back towards zero within a minute where nothing tells about them, so that their
  * covariance stays below what it starts with and no narrow excitation winds it up. {@link #foresee} is the part of the others,
  * with the coefficients as they were before the sample: what is taken from an output was not fitted to it.
  *
@@ -22,21 +24,8 @@ public final class CrossAxes implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final int TERMS = 12;
-    /** Decay of the Laguerre functions [1/s]: about that of a seated body's slow modes. */
-    private static final double DECAY = 17;
-    private static final double MEMORY = 60;
-    /** Time in which the powers of all signals are measured before anything is learned [s]. */
-    private static final double MEASURING = 3;
-    /** Time that the responses are disturbed by a missing sample [s]. */
-    private static final double DISTURBED = 1;
-    private static final double NOISE_MEMORY = 3;
-    private static final double LARGEST_SURPRISE = 25;
-    /** Deviation of a coefficient at the start, in units of the output per unit of an input; the own input may claim more. */
-    private static final double START = 1;
-    private static final double START_OWN = 3;
-    /** Corner below which motion counts as gravity and bias [Hz], as {@link HighPassPair} has it. */
-    private static final double CORNER = 0.1;
 
+    private final Adaptation.Others settings;
     private final double rate;
     private final int inputs;
     private final int n;
@@ -64,20 +53,21 @@ public final class CrossAxes implements Serializable, Snapshot {
     /**
      * Knows no response of any motion yet.
      *
-     * @param rate [Hz], &gt; 0
+     * @param spec   rate and adaptation
      * @param others number of motions beside the estimator's own input, &gt;= 0
      */
-    public CrossAxes(double rate, int others) {
-        if (!(rate > 0) || others < 0) {
-            throw new IllegalArgumentException("sampling rate must be > 0 Hz and other motions >= 0: " + rate + ", " + others);
+    public CrossAxes(Spec spec, int others) {
+        if (others < 0) {
+            throw new IllegalArgumentException("other motions must be >= 0: " + others);
         }
-        this.rate = rate;
+        this.settings = spec.adaptation().others();
+        this.rate = spec.rate();
         this.inputs = 1 + others;
         this.n = TERMS * inputs;
-        this.pole = Math.exp(-DECAY / rate);
+        this.pole = Math.exp(-settings.decay() / rate);
         this.gain = Math.sqrt(1 - pole * pole);
-        this.level = Math.exp(-2 * Math.PI * CORNER / rate);
-        this.keep = 1 - 1 / (MEMORY * rate);
+        this.level = Math.exp(-2 * Math.PI * spec.adaptation().information().corner() / rate);
+        this.keep = 1 - 1 / (settings.memory() * rate);
         this.previous = new double[inputs];
         this.blocked = new double[inputs];
         this.power = new double[inputs];
@@ -141,7 +131,7 @@ public final class CrossAxes implements Serializable, Snapshot {
             if (Double.isFinite(sample)) {
                 previous[i] = sample;
             } else {
-                disturbed = DISTURBED;
+                disturbed = settings.disturbed();
             }
             respond(i, blocked[i], x, TERMS * i);
         }
@@ -190,7 +180,7 @@ public final class CrossAxes implements Serializable, Snapshot {
         for (int i = 0; i < inputs; i++) {
             power[i] += (blocked[i] * blocked[i] - power[i]) / measured;
         }
-        if (measured < MEASURING * rate || !(outputPower > 0)) {
+        if (measured < settings.measuring() * rate || !(outputPower > 0)) {
             return;
         }
         learning = true;
@@ -198,7 +188,7 @@ public final class CrossAxes implements Serializable, Snapshot {
         for (int j = 0; j < n; j++) {
             int i = j / TERMS;
             double scale = power[i] > 0 ? outputPower / power[i] : 0;
-            start[j] = scale * (i == 0 ? START_OWN * START_OWN : START * START);
+            start[j] = scale * (i == 0 ? settings.startOwn() * settings.startOwn() : settings.start() * settings.start());
             Arrays.fill(p[j], 0);
             p[j][j] = start[j];
         }
@@ -223,7 +213,7 @@ public final class CrossAxes implements Serializable, Snapshot {
             said += theta[r] * x[r];
         }
         double innovation = blockedOutput - said;
-        noise += (Math.min(innovation * innovation, LARGEST_SURPRISE * noise) - noise) / (NOISE_MEMORY * rate);
+        noise += (Math.min(innovation * innovation, settings.largestSurprise() * noise) - noise) / (settings.noiseMemory() * rate);
         double s = variance + noise;
         for (int r = 0; r < n; r++) {
             theta[r] += px[r] / s * innovation;

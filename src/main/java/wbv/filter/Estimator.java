@@ -29,7 +29,7 @@ public interface Estimator extends Serializable, Snapshot {
     Spec spec();
 
     /** How it works. */
-    EstimatorDesign recipe();
+    EstimatorDesign design();
 
     /** What is known after the last sample. The same object always. */
     BodyEstimate track();

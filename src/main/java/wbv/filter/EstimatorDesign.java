@@ -87,7 +87,7 @@ public record EstimatorDesign(Method method, int degrees, int particles, long se
         return new EstimatorDesign(method, degrees, particles, seed, bounds, skyhook);
     }
 
-    /** The same recipe for another method, without the constraint. */
+    /** The same design for another method, without the constraint. */
     EstimatorDesign by(Method other) {
         return new EstimatorDesign(other, degrees, particles, seed, Constraint.NONE);
     }
@@ -117,22 +117,22 @@ public record EstimatorDesign(Method method, int degrees, int particles, long se
         return switch (method) {
             case PARTICLE -> Confined.free(new ParticleFilter(spec, model(spec, true), model(spec, false), offsetDecay, particles,
                     seed));
-            case EKF -> Confined.free(extended(spec, offsetDecay, true, spec.drift()));
+            case EKF -> Confined.free(new TextbookFilter(spec, model(spec, true), offsetDecay));
             case EKF_ADWIN -> Confined.free(bank(spec, offsetDecay));
             case CONSTRAINED -> Confined.within(constraint, bank(spec, offsetDecay));
             case UNSCENTED -> Confined.within(constraint, new JointFilter(spec, model(spec, true),
-                    new Unscented(model(spec, false), offsetDecay), offsetDecay, false));
+                    new Unscented(model(spec, false), offsetDecay), offsetDecay));
             case FUSED -> throw new IllegalArgumentException("a fusion is not one filter");
         };
     }
 
     private Bank bank(Spec spec, double offsetDecay) {
-        return new Bank(spec, model(spec, false), offsetDecay, drift -> extended(spec, offsetDecay, false, drift));
+        return new Bank(spec, model(spec, false), offsetDecay, drift -> extended(spec, offsetDecay, drift));
     }
 
-    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook, double wanders) {
+    private JointFilter extended(Spec spec, double offsetDecay, double wanders) {
         BodyModel model = model(spec, true);
-        return new JointFilter(spec, model, Linearised.of(model, offsetDecay), offsetDecay, textbook, wanders);
+        return new JointFilter(spec, model, Linearised.of(model, offsetDecay), offsetDecay, wanders);
     }
 
     private BodyModel model(Spec spec, boolean slopes) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import wbv.filter.drift.Alarm;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.Bounds;
 import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
@@ -17,11 +18,12 @@ public final class EstimatorState {
     /**
      * Everything of an estimator, as bytes.
      *
-     * @throws IllegalStateException if its alarm cannot be kept, or its constraint is none that can be written down
+     * @throws IllegalStateException if its alarm cannot be kept, its constraint is none that can be written down, or it does not adapt as
+     * usual
      */
     public static byte[] of(Estimator estimator) {
         StateWriter out = new StateWriter();
-        save(estimator.recipe(), out);
+        save(estimator.design(), out);
         save(estimator.spec(), out);
         out.put(estimator);
         return out.finish();
@@ -38,8 +40,8 @@ public final class EstimatorState {
     public static Estimator read(String name, byte[] bytes, Supplier<? extends Alarm> alarms) {
         StateReader in = new StateReader(name, bytes);
         try {
-            EstimatorDesign recipe = recipe(in);
-            Estimator estimator = recipe.estimator(spec(in), alarms);
+            EstimatorDesign design = design(in);
+            Estimator estimator = design.estimator(spec(in), alarms);
             in.part(estimator);
             in.end();
             return estimator;
@@ -48,15 +50,15 @@ public final class EstimatorState {
         }
     }
 
-    private static void save(EstimatorDesign recipe, StateWriter out) {
-        out.put(recipe.method().word());
-        out.put(recipe.degrees());
-        out.put(recipe.particles());
-        out.put(recipe.seed());
-        out.put(recipe.skyhook());
-        if (recipe.constraint() == Constraint.NONE) {
+    private static void save(EstimatorDesign design, StateWriter out) {
+        out.put(design.method().word());
+        out.put(design.degrees());
+        out.put(design.particles());
+        out.put(design.seed());
+        out.put(design.skyhook());
+        if (design.constraint() == Constraint.NONE) {
             out.put(0);
-        } else if (recipe.constraint() instanceof FixedBounds fixed) {
+        } else if (design.constraint() instanceof FixedBounds fixed) {
             out.put(fixed.each().size());
             for (FixedBounds.Bound bound : fixed.each()) {
                 out.put(bound.mode());
@@ -65,11 +67,11 @@ public final class EstimatorState {
                 out.put(bound.high());
             }
         } else {
-            throw new IllegalStateException("a constraint of " + recipe.constraint().getClass().getName() + " cannot be written down");
+            throw new IllegalStateException("a constraint of " + design.constraint().getClass().getName() + " cannot be written down");
         }
     }
 
-    private static EstimatorDesign recipe(StateReader in) {
+    private static EstimatorDesign design(StateReader in) {
         String word = in.text();
         Method method = Method.named(word).orElseThrow(() -> in.other("there is no estimator '" + word + "'"));
         int degrees = in.integer();
@@ -85,6 +87,9 @@ public final class EstimatorState {
     }
 
     private static void save(Spec spec, StateWriter out) {
+        if (!spec.adaptation().equals(Adaptation.USUAL)) {
+            throw new IllegalStateException("an adaptation other than the usual one cannot be written down");
+        }
         out.put(spec.rate());
         out.put(spec.frequency());
         out.put(spec.damping());

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import wbv.filter.drift.Alarm;
 import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.BodyModel;
 import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
@@ -30,33 +31,14 @@ final class FusedEstimator implements Estimator {
     private static final double[] STARTS = {2, 3.5, 6, 11};
     private static final double START_DAMPING = 0.3;
     private static final int SCOUT = 0;
-    /** A member's share of the particles of a recipe. */
+    /** A member's share of the particles of a design. */
     private static final int PARTICLE_SHARE = 4;
-    /** Time in which evidence is forgotten [s]. */
-    private static final double MEMORY = 5;
-    /** A member this much less likely than the best (ln), for this long [s], is behind. */
-    private static final double FAR = 50;
-    private static final double LONGEST_BEHIND = 3;
-    /** Time that a member has to prove itself after it began anew [s]. */
-    private static final double GRACE = 8;
-    private static final double SEED_DEVIATION = 0.1;
-    private static final double LOW = 1;
-    private static final double HIGH = 16;
-    private static final double LIGHT = 0.05;
-    private static final double HEAVY = 1;
-    /**
-     * Part of the members, by their weight, whose alarms are a change; weights as of about this time [s], since a change moves
-     * them.
-     */
-    private static final double HEARD = 0.4;
-    private static final double TRUST = 3;
-    /** Time within which alarms are one [s]. */
-    private static final double ONE_CHANGE = 1;
 
+    private final Adaptation.Fusion settings;
     private final Spec spec;
-    private final EstimatorDesign recipe;
+    private final EstimatorDesign design;
     private final BodyEstimator[] members;
-    private final BodyEstimate track = new BodyEstimate();
+    private final BodyEstimate track;
     private final SplitMix random;
     private final double[] evidence;
     private final double[] weights;
@@ -70,19 +52,21 @@ final class FusedEstimator implements Estimator {
     private double sinceChange;
     private int best;
 
-    FusedEstimator(Spec spec, EstimatorDesign recipe, Supplier<? extends Alarm> alarms) {
+    FusedEstimator(Spec spec, EstimatorDesign design, Supplier<? extends Alarm> alarms) {
         this.spec = spec;
-        this.recipe = recipe;
-        this.random = new SplitMix(recipe.seed());
+        this.settings = spec.adaptation().fusion();
+        this.track = new BodyEstimate(spec);
+        this.design = design;
+        this.random = new SplitMix(design.seed());
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
             members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(),
-                    recipe.by(Method.UNSCENTED));
+                    design.by(Method.UNSCENTED));
         }
-        int few = Math.max(EstimatorDesign.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
+        int few = Math.max(EstimatorDesign.LEAST_PARTICLES, design.particles() / PARTICLE_SHARE);
         int next = STARTS.length;
-        for (EstimatorDesign other : List.of(recipe.by(Method.CONSTRAINED), recipe.by(Method.UNSCENTED),
-                recipe.by(Method.PARTICLE).withParticles(few))) {
+        for (EstimatorDesign other : List.of(design.by(Method.CONSTRAINED), design.by(Method.UNSCENTED),
+                design.by(Method.PARTICLE).withParticles(few))) {
             members[next++] = new BodyEstimator(spec, alarms.get(), other);
         }
         BodyModel model = members[0].filter().model();
@@ -104,8 +88,8 @@ final class FusedEstimator implements Estimator {
     }
 
     @Override
-    public EstimatorDesign recipe() {
-        return recipe;
+    public EstimatorDesign design() {
+        return design;
     }
 
     @Override
@@ -121,11 +105,11 @@ final class FusedEstimator implements Estimator {
         }
         Arrays.fill(evidence, 0);
         Arrays.fill(trust, 0);
-        Arrays.fill(sinceAlarm, ONE_CHANGE);
+        Arrays.fill(sinceAlarm, settings.oneChange());
         Arrays.fill(by, ChangeTest.NONE);
         Arrays.fill(behind, 0);
         Arrays.fill(divergences, 0);
-        sinceChange = 2 * ONE_CHANGE;
+        sinceChange = 2 * settings.oneChange();
         track.clear();
         weigh();
         // nothing is known yet: the start that was told counts
@@ -148,7 +132,7 @@ final class FusedEstimator implements Estimator {
 
     @Override
     public BodyEstimate step(double u, double y) {
-        track.prediction = predict(u);
+        track.foresee(predict(u));
         ChangeTest test = ChangeTest.NONE;
         double trusted = 0;
         sinceChange += 1 / spec.rate();
@@ -157,25 +141,25 @@ final class FusedEstimator implements Estimator {
         boolean excited = false;
         for (int i = 0; i < members.length; i++) {
             BodyEstimate one = members[i].step(u, y);
-            if (one.changed) {
+            if (one.changed()) {
                 sinceAlarm[i] = 0;
-                by[i] = one.heard;
+                by[i] = one.heardBy();
             } else {
                 sinceAlarm[i] += 1 / spec.rate();
             }
-            if (sinceAlarm[i] < ONE_CHANGE && trust[i] > trusted) {
+            if (sinceAlarm[i] < settings.oneChange() && trust[i] > trusted) {
                 trusted = trust[i];
                 test = by[i];
             }
-            heard += sinceAlarm[i] < ONE_CHANGE ? trust[i] : 0;
+            heard += sinceAlarm[i] < settings.oneChange() ? trust[i] : 0;
             all += trust[i];
-            trust[i] = Math.max(weights[i], trust[i] * (1 - 1 / (TRUST * spec.rate())));
-            excited |= one.excited;
+            trust[i] = Math.max(weights[i], trust[i] * (1 - 1 / (settings.trust() * spec.rate())));
+            excited |= one.excited();
         }
-        boolean changed = heard > HEARD * all && sinceChange >= 2 * ONE_CHANGE;
+        boolean changed = heard > settings.heard() * all && sinceChange >= 2 * settings.oneChange();
         track.hear(changed ? test : ChangeTest.NONE, changed);
         sinceChange = changed ? 0 : sinceChange;
-        if (excited && Double.isFinite(members[best].track().nis)) {
+        if (excited && Double.isFinite(members[best].track().nis())) {
             hear();
             weigh();
             help();
@@ -188,8 +172,8 @@ final class FusedEstimator implements Estimator {
     private void hear() {
         for (int i = 0; i < members.length; i++) {
             BodyEstimate one = members[i].track();
-            if (Double.isFinite(one.nis)) {
-                evidence[i] += -0.5 * (Math.log(one.innovationVariance) + one.nis) - evidence[i] / (MEMORY * spec.rate());
+            if (Double.isFinite(one.nis())) {
+                evidence[i] += -0.5 * (Math.log(one.innovationVariance()) + one.nis()) - evidence[i] / (settings.memory() * spec.rate());
             }
         }
     }
@@ -215,23 +199,25 @@ final class FusedEstimator implements Estimator {
     private void help() {
         for (int i = 0; i < members.length; i++) {
             BodyEstimate one = members[i].track();
-            boolean diverged = one.divergences > divergences[i];
-            divergences[i] = one.divergences;
-            track.divergences += diverged && i == best ? 1 : 0;
-            boolean far = one.excited && evidence[i] < evidence[best] - FAR;
+            boolean diverged = one.divergences() > divergences[i];
+            divergences[i] = one.divergences();
+            if (diverged && i == best) {
+                track.diverge();
+            }
+            boolean far = one.excited() && evidence[i] < evidence[best] - settings.far();
             behind[i] = far || behind[i] < 0 ? behind[i] + 1 / spec.rate() : 0;
-            if (i == best || !diverged && behind[i] < LONGEST_BEHIND) {
+            if (i == best || !diverged && behind[i] < settings.longestBehind()) {
                 continue;
             }
             BodyModel model = members[i].filter().model();
-            if (members[best].track().settled && i != SCOUT) {
+            if (members[best].track().settled() && i != SCOUT) {
                 seedFromBest(model);
-                track.reseeds++;
+                track.reseed();
             } else {
                 seedAnywhere(model);
             }
             members[i].seedFrom(seed, deviations);
-            behind[i] = -GRACE;
+            behind[i] = -settings.grace();
         }
     }
 
@@ -239,59 +225,47 @@ final class FusedEstimator implements Estimator {
         BodyFilter leader = members[best].filter();
         System.arraycopy(leader.mean(), 0, seed, 0, seed.length);
         for (int i = 0; i < model.parameters(); i++) {
-            deviations[i] = Math.hypot(leader.deviation(i), SEED_DEVIATION);
+            deviations[i] = Math.hypot(leader.deviation(i), settings.seedDeviation());
         }
     }
 
     private void seedAnywhere(BodyModel model) {
         model.start(seed);
-        Arrays.fill(deviations, JointFilter.START);
+        Arrays.fill(deviations, spec.adaptation().prior().parameters());
         for (int m = 0; m < model.modes(); m++) {
             int i = model.states() + 2 * m;
-            seed[i] = Math.log(2 * Math.PI * LOW) + random.nextDouble() * Math.log(HIGH / LOW);
-            seed[i + 1] = Math.log(LIGHT) + random.nextDouble() * Math.log(HEAVY / LIGHT);
+            seed[i] = Math.log(2 * Math.PI * settings.lowest()) + random.nextDouble() * Math.log(settings.highest() / settings.lowest());
+            seed[i + 1] = Math.log(settings.lightest()) + random.nextDouble() * Math.log(settings.heaviest() / settings.lightest());
         }
     }
 
     private void publish() {
         BodyEstimate leader = members[best].track();
-        track.modes = leader.modes;
-        for (int m = 0; m < leader.modes; m++) {
+        for (int m = 0; m < leader.modes(); m++) {
             mix(m);
         }
-        track.share = leader.share;
-        track.nis = leader.nis;
-        track.innovationVariance = leader.innovationVariance;
-        track.excited = leader.excited;
-        track.outputNoise = leader.outputNoise;
-        track.settled = leader.settled;
-        track.width = leader.width;
-        track.gaps = leader.gaps;
-        track.missing = leader.missing;
+        track.follow(leader);
     }
 
     private void mix(int mode) {
         double frequency = 0;
         double damping = 0;
         for (int i = 0; i < members.length; i++) {
-            frequency += weights[i] * Math.log(members[i].track().frequency[mode]);
-            damping += weights[i] * Math.log(members[i].track().damping[mode]);
+            frequency += weights[i] * Math.log(members[i].track().frequency(mode));
+            damping += weights[i] * Math.log(members[i].track().damping(mode));
         }
         double frequencyVariance = 0;
         double dampingVariance = 0;
         for (int i = 0; i < members.length; i++) {
             BodyEstimate one = members[i].track();
-            double df = Math.log(one.frequency[mode]) - frequency;
-            double dz = Math.log(one.damping[mode]) - damping;
-            double sf = one.frequencyDeviation[mode] / one.frequency[mode];
-            double sz = one.dampingDeviation[mode] / one.damping[mode];
+            double df = Math.log(one.frequency(mode)) - frequency;
+            double dz = Math.log(one.damping(mode)) - damping;
+            double sf = one.frequencyDeviation(mode) / one.frequency(mode);
+            double sz = one.dampingDeviation(mode) / one.damping(mode);
             frequencyVariance += weights[i] * (sf * sf + df * df);
             dampingVariance += weights[i] * (sz * sz + dz * dz);
         }
-        track.frequency[mode] = Math.exp(frequency);
-        track.damping[mode] = Math.exp(damping);
-        track.frequencyDeviation[mode] = track.frequency[mode] * Math.sqrt(frequencyVariance);
-        track.dampingDeviation[mode] = track.damping[mode] * Math.sqrt(dampingVariance);
+        track.know(mode, Math.exp(frequency), Math.sqrt(frequencyVariance), Math.exp(damping), Math.sqrt(dampingVariance));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -12,8 +13,6 @@ import wbv.snapshot.StateWriter;
 final class HighPassPair implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    /** Corner of the high-pass [Hz]: far below the motion of a sitter. */
-    private static final double CORNER = 0.1;
 
     private final double decay;
     private double inputMean;
@@ -21,8 +20,8 @@ final class HighPassPair implements Serializable, Snapshot {
     private boolean started;
     private boolean hasOutput;
 
-    HighPassPair(double rate) {
-        this.decay = Math.exp(-2 * Math.PI * CORNER / rate);
+    HighPassPair(Spec spec) {
+        this.decay = Math.exp(-2 * Math.PI * spec.adaptation().information().corner() / spec.rate());
     }
 
     double decay() {

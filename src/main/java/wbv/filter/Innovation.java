@@ -1,29 +1,34 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Spec;
 
 /** What an output sample told beyond what was foreseen. One object is reused. */
 final class Innovation implements Serializable {
 
     private static final long serialVersionUID = 1;
-    /** Largest normalised innovation that is believed: what is beyond counts as this much. */
-    private static final double LARGEST = 5;
-
+    /** Largest normalised innovation that is believed [1]: what is beyond counts as this much. */
+    private final double most;
     private double value;
     private double believed;
     private double predicted;
+
+    /** @param spec with the adaptation */
+    Innovation(Spec spec) {
+        this.most = spec.adaptation().noise().mostBelieved();
+    }
 
     /**
      * Takes a sample's.
      *
      * @param innovation ν
      * @param predictedVariance H P Hᵀ, the output's noise not counted
-     * @param most       variance by which ν is limited, +∞ to believe all of it
+     * @param limit      variance by which ν is limited, +∞ to believe all of it
      */
-    void set(double innovation, double predictedVariance, double most) {
+    void set(double innovation, double predictedVariance, double limit) {
         value = innovation;
         predicted = predictedVariance;
-        believed = limited(innovation, most);
+        believed = limited(innovation, limit);
     }
 
     /** ν of the last correction. */
@@ -42,10 +47,10 @@ final class Innovation implements Serializable {
     }
 
     /** An innovation as far as its variance lets it be believed. */
-    static double limited(double innovation, double variance) {
-        if (innovation * innovation <= LARGEST * LARGEST * variance) {
+    double limited(double innovation, double variance) {
+        if (innovation * innovation <= most * most * variance) {
             return innovation;
         }
-        return Math.copySign(LARGEST * Math.sqrt(variance), innovation);
+        return Math.copySign(most * Math.sqrt(variance), innovation);
     }
 }

@@ -4,6 +4,8 @@ import java.io.Serializable;
 import wbv.filter.drift.Alarm;
 import wbv.filter.drift.ChangeTest;
 import wbv.filter.drift.Probability;
+import wbv.filter.model.Adaptation;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -16,17 +18,6 @@ import wbv.snapshot.StateWriter;
 final class InnovationWatch implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double SETTLING = 5;
-    private static final double MEMORY = 3;
-    private static final double LONG_MEMORY = 10;
-    /** Innovations are consistent if the mean of ν²/S is about one, or less but steady: the sensor is better than was said. */
-    private static final double LEAST_CONSISTENT = 0.75;
-    private static final double STEADY = 0.25;
-    private static final double MOST_CONSISTENT = 1.5;
-    /** A mean ν²/S that no adapting noise could leave. */
-    private static final double HOPELESS = 30;
-    private static final double MOST_COUNTED = 100;
-    private static final double LONGEST_USELESS = 5;
 
     /** What an innovation means. */
     enum Verdict {
@@ -42,6 +33,7 @@ final class InnovationWatch implements Serializable, Snapshot {
         LOST
     }
 
+    private final Adaptation.Watch settings;
     private final double rate;
     private final Alarm alarm;
     private final ChangeTests tests;
@@ -52,9 +44,10 @@ final class InnovationWatch implements Serializable, Snapshot {
     private ChangeTest heard = ChangeTest.NONE;
     private boolean settled;
 
-    /** @param rate [Hz] */
-    InnovationWatch(double rate, Alarm alarm, ChangeTests tests) {
-        this.rate = rate;
+    /** @param spec rate and adaptation */
+    InnovationWatch(Spec spec, Alarm alarm, ChangeTests tests) {
+        this.settings = spec.adaptation().watch();
+        this.rate = spec.rate();
         this.alarm = alarm;
         this.tests = tests;
         restart();
@@ -69,7 +62,7 @@ final class InnovationWatch implements Serializable, Snapshot {
     }
 
     private void unsettle() {
-        untilSettled = SETTLING;
+        untilSettled = settings.settling();
         settled = false;
         forget();
     }
@@ -102,15 +95,15 @@ final class InnovationWatch implements Serializable, Snapshot {
      */
     Verdict hear(double nis, double normalised, double slope, OutputNoise noise) {
         heard = ChangeTest.NONE;
-        mean += (Math.min(nis, MOST_COUNTED) - mean) / (MEMORY * rate);
+        mean += (Math.min(nis, settings.mostCounted()) - mean) / (settings.memory() * rate);
         useless = noise.explainsNothing() ? useless + 1 / rate : 0;
-        if (mean > HOPELESS || useless > LONGEST_USELESS) {
+        if (mean > settings.hopeless() || useless > settings.longestUseless()) {
             return Verdict.LOST;
         }
-        longMean += (mean - longMean) / (LONG_MEMORY * rate);
-        boolean steady = Math.abs(mean - longMean) < STEADY * longMean;
-        boolean consistent = mean < MOST_CONSISTENT && (mean > LEAST_CONSISTENT || steady);
-        untilSettled = consistent ? untilSettled - 1 / rate : SETTLING;
+        longMean += (mean - longMean) / (settings.longMemory() * rate);
+        boolean steady = Math.abs(mean - longMean) < settings.steady() * longMean;
+        boolean consistent = mean < settings.mostConsistent() && (mean > settings.leastConsistent() || steady);
+        untilSettled = consistent ? untilSettled - 1 / rate : settings.settling();
         settled |= untilSettled <= 0;
         double before = alarm.mean();
         boolean cut = settled && alarm.feed(Probability.chiSquare1(tests.nis(nis)));

@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.BodyModel;
 import wbv.filter.model.Bounds;
 import wbv.filter.model.ExcitationLevel;
@@ -24,23 +25,18 @@ import wbv.snapshot.StateWriter;
  * <li>A parameter to which the output is not sensitive just now is held and only considered (Schmidt 1966); its variance grows
  * by the assumed drift.</li>
  * </ul>
- * The textbook's filter does neither, and believes every innovation.
+ * {@link TextbookFilter} does neither, and believes every innovation.
  * Thesis: Eq. 4-7, 6-1.
  */
-final class JointFilter implements BodyFilter {
+sealed class JointFilter implements BodyFilter permits TextbookFilter {
 
     private static final long serialVersionUID = 1;
 
-    /** Standard deviations at the start: parameters (ln), acceleration of the unknown motion, offset [m/s²]. */
-    static final double START = 0.5;
-    static final double START_MOTION = 1;
-    static final double START_OFFSET = 1;
-    /** Standard deviation that a change adds to the parameters (ln). */
-    static final double CHANGE = 0.25;
-    private static final double UNDERWEIGHT = 1;
-
     private final Spec spec;
-    private final boolean textbook;
+    private final Adaptation.Prior prior;
+    /** Standard deviation that a change adds to the parameters (ln). */
+    private final double change;
+    private final double underweight;
     private final double offsetDecay;
     private final double reference;
     private final BodyModel model;
@@ -59,7 +55,7 @@ final class JointFilter implements BodyFilter {
     private final double[] p;
     private final boolean[] free;
     private boolean modelIsCurrent;
-    private final Innovation innovation = new Innovation();
+    private final Innovation innovation;
 
     private final double[] k;
     private final double[] c = new double[InputWindow.POINTS];
@@ -70,16 +66,18 @@ final class JointFilter implements BodyFilter {
      * @param model       with slopes; set by this filter
      * @param moments     over the same model, or one of their own
      * @param offsetDecay what is left of the sensors' offset after one sample
-     * @param textbook    whether it is to be the extended Kalman filter and nothing more
      */
-    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook) {
-        this(spec, model, moments, offsetDecay, textbook, spec.drift());
+    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay) {
+        this(spec, model, moments, offsetDecay, spec.drift());
     }
 
     /** @param wanders drift of the parameters while samples tell about them [1/√s]; otherwise it is that of the spec */
-    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook, double wanders) {
+    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, double wanders) {
         this.spec = spec;
-        this.textbook = textbook;
+        this.prior = spec.adaptation().prior();
+        this.change = spec.adaptation().wandering().change();
+        this.underweight = spec.adaptation().noise().underweight();
+        this.innovation = new Innovation(spec);
         this.offsetDecay = offsetDecay;
         this.reference = 2 * Math.PI * spec.frequency();
         this.model = model;
@@ -98,7 +96,7 @@ final class JointFilter implements BodyFilter {
         this.sensitivity = new Sensitivity(model, spec);
         this.excitation = new ExcitationLevel(spec);
         this.projection = new BoundProjection(model);
-        Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec.rate()));
+        Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec));
     }
 
     @Override
@@ -111,7 +109,7 @@ final class JointFilter implements BodyFilter {
         model.start(x);
         Arrays.fill(p, 0);
         for (int i = 0; i < parameters; i++) {
-            p[(states + i) * (n + 1)] = START * START;
+            p[(states + i) * (n + 1)] = prior.parameters() * prior.parameters();
             drift[i].reset();
         }
         modelIsCurrent = false;
@@ -132,7 +130,7 @@ final class JointFilter implements BodyFilter {
 
     @Override
     public void restartMotion() {
-        double motion = START_MOTION / reference;
+        double motion = prior.motion() / reference;
         for (int i = 0; i < n; i++) {
             if (i < states || i == model.offset()) {
                 x[i] = 0;
@@ -140,7 +138,7 @@ final class JointFilter implements BodyFilter {
                     p[i * n + j] = 0;
                     p[j * n + i] = 0;
                 }
-                p[i * (n + 1)] = i < states ? motion * motion : START_OFFSET * START_OFFSET;
+                p[i * (n + 1)] = i < states ? motion * motion : prior.offset() * prior.offset();
             }
         }
         sensitivity.reset();
@@ -150,7 +148,7 @@ final class JointFilter implements BodyFilter {
     /** P += σ² [s; 1][s; 1]ᵀ for each parameter. */
     @Override
     public void doubt() {
-        double variance = CHANGE * CHANGE;
+        double variance = change * change;
         for (int i = 0; i < parameters; i++) {
             double v = sensitivity.v(i);
             double w = sensitivity.w(i);
@@ -229,7 +227,7 @@ final class JointFilter implements BodyFilter {
         moments.advance(coefficients, forced, x, p);
         sensitivity.hear(x, hold);
         for (int i = 0; i < parameters; i++) {
-            free[i] = textbook || sensitivity.free(i);
+            free[i] = estimates(i);
         }
         addProcessNoise(spec.inputNoise() * spec.inputNoise() + missing);
     }
@@ -255,7 +253,7 @@ final class JointFilter implements BodyFilter {
             }
         }
         for (int i = 0; i < parameters; i++) {
-            p[(states + i) * (n + 1)] += free[i] && !textbook ? drift[i].variance() : resting;
+            p[(states + i) * (n + 1)] += free[i] ? wandering(i) : resting;
         }
     }
 
@@ -264,8 +262,8 @@ final class JointFilter implements BodyFilter {
     public void correct(double y, double variance, double samplesInOne) {
         double foreseen = moments.measure(x, p, k);
         double predicted = moments.variance();
-        innovation.set(y - foreseen, predicted, textbook ? Double.POSITIVE_INFINITY : predicted + variance);
-        double r = textbook ? variance : variance * samplesInOne + UNDERWEIGHT * predicted;
+        innovation.set(y - foreseen, predicted, believed(predicted + variance));
+        double r = weighed(variance * samplesInOne, predicted);
 
         double weight = 1 / (predicted + r);
         double believed = innovation.believed();
@@ -276,6 +274,26 @@ final class JointFilter implements BodyFilter {
         }
         moments.reduce(k, r, p);
         modelIsCurrent = false;
+    }
+
+    /** Whether a parameter is estimated from the next output and not only considered. */
+    boolean estimates(int parameter) {
+        return sensitivity.free(parameter);
+    }
+
+    /** Variance by which a parameter that is estimated wanders in a sample [1, of its logarithm]. */
+    double wandering(int parameter) {
+        return drift[parameter].variance();
+    }
+
+    /** Variance by which an innovation is limited, of an expected variance s, both in the output's unit squared. */
+    double believed(double s) {
+        return s;
+    }
+
+    /** R that the gain is made with, from that of an independent sample and {@code H P Hᵀ}, all in the output's unit squared. */
+    double weighed(double variance, double predicted) {
+        return variance + underweight * predicted;
     }
 
     /** Takes another estimate for its own. Neither is modified. */

@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -19,12 +20,9 @@ import wbv.snapshot.StateWriter;
 final class ObservedScatter implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    /** Length of a batch [s]: some tens of a seated body's memories. */
-    private static final double BATCH = 3;
-    /** Batches whose mean is kept. */
-    private static final double MEMORY = 20;
 
     private final int length;
+    private final double memory;
     private double variance;
     private double sum;
     private double left;
@@ -33,9 +31,10 @@ final class ObservedScatter implements Serializable, Snapshot {
     private double batches;
     private double own;
 
-    /** @param rate [Hz] */
-    ObservedScatter(double rate) {
-        this.length = (int) Math.max(1, Math.round(BATCH * rate));
+    /** @param spec rate and adaptation */
+    ObservedScatter(Spec spec) {
+        this.length = (int) Math.max(1, Math.round(spec.adaptation().scatter().batch() * spec.rate()));
+        this.memory = spec.adaptation().scatter().batches();
     }
 
     /** The parameter is known this well, and nothing of how it scatters. */
@@ -72,7 +71,7 @@ final class ObservedScatter implements Serializable, Snapshot {
             return;
         }
         batches++;
-        mean += (sum * sum - mean) / Math.min(batches, MEMORY);
+        mean += (sum * sum - mean) / Math.min(batches, memory);
         variance = left * left * variance + mean;
         begin();
     }

@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Adaptation;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -17,22 +19,8 @@ import wbv.snapshot.StateWriter;
 final class OutputNoise implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double TRIAL = 2;
-    private static final double POWER_MEMORY = 1;
-    private static final double LONGEST_MEMORY = 10;
-    private static final double SHORTEST_MEMORY = 0.5;
-    private static final double LARGEST_SURPRISE = 25;
-    /** A fall is believed sooner than a rise: c² is at most this many times what the last second shows. */
-    private static final double SHORT_MEMORY = 1;
-    private static final double MOST_ABOVE_LATELY = 3;
-    /** The motion tells about c as far as this share of its power, or c² of it if that is more, exceeds the sensor's. */
-    private static final double VISIBLE = 0.01;
-    /** c² for which a changed body is given credit. */
-    private static final double DOUBT = 0.1;
-    /** c² of a body that may not be the right one. */
-    private static final double LITTLE = 0.08;
-    private static final double MOST_CORRELATION = 0.9;
 
+    private final Adaptation.Noise settings;
     private final double rate;
     private final double sensor;
     private double share;
@@ -43,9 +31,10 @@ final class OutputNoise implements Serializable, Snapshot {
     private double square;
     private double product;
 
-    OutputNoise(double rate, double sensorDeviation) {
-        this.rate = rate;
-        this.sensor = sensorDeviation * sensorDeviation;
+    OutputNoise(Spec spec) {
+        this.settings = spec.adaptation().noise();
+        this.rate = spec.rate();
+        this.sensor = spec.outputNoise() * spec.outputNoise();
         reset();
     }
 
@@ -64,31 +53,31 @@ final class OutputNoise implements Serializable, Snapshot {
 
     /** How many samples count as one. &gt;= 1. */
     double samplesInOne() {
-        double correlation = Math.max(0, Math.min(MOST_CORRELATION, product / square));
+        double correlation = Math.max(0, Math.min(settings.mostCorrelation(), product / square));
         return (1 + correlation) / (1 - correlation);
     }
 
     /** Learns quickly again: what disturbs the output is not what it was. */
     void relearn() {
-        age = Math.min(age, 2 * TRIAL * rate);
+        age = Math.min(age, 2 * settings.trial() * rate);
         forgetCorrelation();
     }
 
     /** Learns quickly again from a model that may be wrong. */
     void doubt() {
         relearn();
-        share = Math.max(share, DOUBT);
-        lately = Math.max(lately, DOUBT);
+        share = Math.max(share, settings.doubt());
+        lately = Math.max(lately, settings.doubt());
     }
 
     /** Whether the innovations are as large as the output itself, where there is an output at all. */
     boolean explainsNothing() {
-        return age > TRIAL * rate && share >= 1 && power > sensor * sensor;
+        return age > settings.trial() * rate && share >= 1 && power > sensor * sensor;
     }
 
     /** Whether a good part of the motion is not explained. */
     boolean explainsLittle() {
-        return share > LITTLE;
+        return share > settings.little();
     }
 
     private void forgetCorrelation() {
@@ -100,7 +89,7 @@ final class OutputNoise implements Serializable, Snapshot {
     /** @param output of the body without offset [m/s²]; what is believed of it */
     void hear(double output) {
         age++;
-        power += (output * output - power) / Math.min(age, POWER_MEMORY * rate);
+        power += (output * output - power) / Math.min(age, settings.powerMemory() * rate);
     }
 
     /**
@@ -108,26 +97,27 @@ final class OutputNoise implements Serializable, Snapshot {
      * @param predicted H P Hᵀ, the part of ν² that the filter expects
      */
     void learn(double innovation, double predicted) {
-        if (age <= TRIAL * rate) {
+        if (age <= settings.trial() * rate) {
             return;
         }
-        double memory = rate * Math.min(LONGEST_MEMORY, Math.max(SHORTEST_MEMORY, (age / rate - TRIAL) / 4));
+        double memory = rate * Math.min(settings.longestMemory(),
+                Math.max(settings.shortestMemory(), settings.growth() * (age / rate - settings.trial())));
         double r = variance();
         double s = predicted + r;
-        double surprise = Math.min(innovation * innovation, LARGEST_SURPRISE * s);
+        double surprise = Math.min(innovation * innovation, settings.largestSurprise() * s);
         double shown = (surprise - predicted - sensor) / power;
         // an innovation tells about R only as far as R is its larger part, and about c as far as there is motion
-        double part = Math.max(share, VISIBLE) * power;
+        double part = Math.max(share, settings.visible()) * power;
         double visible = part / (part + sensor);
         double weight = r / s * visible * visible;
         share = Math.max(0, share + weight * (shown - share) / memory);
-        lately += weight * (Math.max(0, shown) - lately) / (rate * SHORT_MEMORY);
-        share = Math.min(share, MOST_ABOVE_LATELY * lately);
+        lately += weight * (Math.max(0, shown) - lately) / (rate * settings.latelyMemory());
+        share = Math.min(share, settings.mostAboveLately() * lately);
     }
 
     /** @param normalised ν/√S of the sample after the one before, once the filter has settled */
     void correlate(double normalised) {
-        double forgetting = 1 / (LONGEST_MEMORY * rate);
+        double forgetting = 1 / (settings.longestMemory() * rate);
         square += forgetting * (normalised * normalised - square);
         product += forgetting * (normalised * previous - product);
         previous = normalised;

@@ -2,30 +2,30 @@ package wbv.filter;
 
 import wbv.filter.drift.ChangeTest;
 import wbv.filter.drift.StepTest;
+import wbv.filter.model.Adaptation;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
 /**
  * Tests on the innovations of a filter that does not expect changes. Page's test (Biometrika 1954) hears a change that is large
- * or plain within less time than a window needs: it sums the log likelihood ratio of innovations with {@value #LARGER} times
+ * or plain within less time than a window needs: it sums the log likelihood ratio of innovations with several times
  * the variance over those expected. {@link StepTest} hears what noise hides from both.
  */
 final class OwnInnovations implements ChangeTests {
 
     private static final long serialVersionUID = 1;
-    private static final double LARGER = 4;
-    /** ν²/S counts as this at most, so that no single shock is a change. */
-    private static final double MOST_IN_SUM = 9;
-    /** Page's sum at which the body has changed, for each second's worth of samples. */
-    private static final double LARGEST_SUM = 0.4;
 
+    private final Adaptation.Changes settings;
     private final double rate;
-    private final StepTest step = new StepTest();
+    private final StepTest step;
     private double sum;
 
-    /** @param rate [Hz] */
-    OwnInnovations(double rate) {
-        this.rate = rate;
+    /** @param spec rate and adaptation */
+    OwnInnovations(Spec spec) {
+        this.settings = spec.adaptation().changes();
+        this.rate = spec.rate();
+        this.step = new StepTest(settings);
     }
 
     @Override
@@ -52,9 +52,9 @@ final class OwnInnovations implements ChangeTests {
     /** What a body of another kind leaves is no noise: it says nothing of a step. */
     @Override
     public ChangeTest hear(double nis, double normalised, double slope, OutputNoise noise) {
-        sum = Math.max(0, sum + 0.5 * (Math.min(nis, MOST_IN_SUM) * (1 - 1 / LARGER) - Math.log(LARGER)));
+        sum = Math.max(0, sum + 0.5 * (Math.min(nis, settings.mostInSum()) * (1 - 1 / settings.larger()) - Math.log(settings.larger())));
         boolean stepped = step.hear(normalised, noise.explainsLittle() ? 0 : slope);
-        return stepped ? ChangeTest.STEP : sum > LARGEST_SUM * rate ? ChangeTest.VARIANCE : ChangeTest.NONE;
+        return stepped ? ChangeTest.STEP : sum > settings.largestSum() * rate ? ChangeTest.VARIANCE : ChangeTest.NONE;
     }
 
     @Override

@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Adaptation;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -15,11 +17,8 @@ import wbv.snapshot.StateWriter;
 final class ParameterNoise implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double SHARE = 0.5;
-    /** Cap of the drift: 10 % in one second. */
-    private static final double MOST_DRIFT = 0.1;
-    private static final long SHORTEST = 60;
 
+    private final Adaptation.Wandering settings;
     private final double floor;
     private final double cap;
     private double moment;
@@ -27,11 +26,12 @@ final class ParameterNoise implements Serializable, Snapshot {
 
     /**
      * @param drift assumed wandering [1/√s]
-     * @param rate [Hz]
+     * @param spec rate and adaptation
      */
-    ParameterNoise(double drift, double rate) {
-        this.floor = drift * drift / rate;
-        this.cap = Math.max(floor, MOST_DRIFT * MOST_DRIFT / rate);
+    ParameterNoise(double drift, Spec spec) {
+        this.settings = spec.adaptation().wandering();
+        this.floor = drift * drift / spec.rate();
+        this.cap = Math.max(floor, settings.most() * settings.most() / spec.rate());
     }
 
     void reset() {
@@ -47,7 +47,7 @@ final class ParameterNoise implements Serializable, Snapshot {
      */
     void learn(double correction, long width) {
         count++;
-        moment += (correction * correction - moment) / Math.min(count, Math.max(SHORTEST, width));
+        moment += (correction * correction - moment) / Math.min(count, Math.max(settings.shortest(), width));
     }
 
     /** q for one sample in which nothing can be learned: the drift that is assumed. */
@@ -57,7 +57,7 @@ final class ParameterNoise implements Serializable, Snapshot {
 
     /** q for one sample. Thesis: Eq. 4-3. */
     double variance() {
-        return Math.min(cap, Math.max(floor, SHARE * moment));
+        return Math.min(cap, Math.max(floor, settings.share() * moment));
     }
 
     @Override

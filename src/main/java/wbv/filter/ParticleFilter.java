@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.Adaptation;
 import wbv.filter.model.BodyModel;
 import wbv.filter.model.ExcitationLevel;
 import wbv.filter.model.InputWindow;
@@ -25,16 +26,14 @@ import wbv.snapshot.StateWriter;
 final class ParticleFilter implements BodyFilter {
 
     private static final long serialVersionUID = 1;
-    /** Discount of Liu and West: the kernel has the share {@code 1 - a²} of the cloud's variance. */
-    private static final double DISCOUNT = 0.98;
-    private static final double SHRINK = (3 * DISCOUNT - 1) / (2 * DISCOUNT);
-    private static final double KERNEL = Math.sqrt(1 - SHRINK * SHRINK);
-    private static final double UNDERWEIGHT = 1;
-    /** -ln of a likelihood that no right particle has, and how long the best may have it [s]. */
-    private static final double IMPOSSIBLE = 40;
-    private static final double LONGEST_IMPOSSIBLE = 0.25;
 
     private final Spec spec;
+    private final Adaptation.Particles settings;
+    private final double shrinkage;
+    private final double kernel;
+    private final double underweight;
+    private final double change;
+    private final double offsetDeviation;
     private final double offsetDecay;
     private final BodyModel model;
     private final SplitMix random;
@@ -62,7 +61,7 @@ final class ParticleFilter implements BodyFilter {
     private final double[] ahead;
     private double offsetVariance;
     private double impossible;
-    private final Innovation innovation = new Innovation();
+    private final Innovation innovation;
 
     /**
      * @param model    with slopes; set by this filter
@@ -74,6 +73,13 @@ final class ParticleFilter implements BodyFilter {
             throw new IllegalArgumentException("particles must be >= " + 2 * model.size() + ": " + count);
         }
         this.spec = spec;
+        this.settings = spec.adaptation().particles();
+        this.shrinkage = settings.shrinkage();
+        this.kernel = Math.sqrt(1 - shrinkage * shrinkage);
+        this.underweight = spec.adaptation().noise().underweight();
+        this.change = spec.adaptation().wandering().change();
+        this.offsetDeviation = spec.adaptation().prior().offset();
+        this.innovation = new Innovation(spec);
         this.offsetDecay = offsetDecay;
         this.model = model;
         this.random = new SplitMix(seed);
@@ -82,7 +88,7 @@ final class ParticleFilter implements BodyFilter {
         this.states = model.states();
         this.parameters = model.parameters();
         this.moving = states + parameters;
-        this.motion = JointFilter.START_MOTION / (2 * Math.PI * spec.frequency());
+        this.motion = spec.adaptation().prior().motion() / (2 * Math.PI * spec.frequency());
         this.particles = new double[count][moving];
         this.spare = new double[count][moving];
         this.steps = new ParticleSteps(stepping, count);
@@ -97,7 +103,7 @@ final class ParticleFilter implements BodyFilter {
         this.forced = new double[2 * states];
         this.ahead = new double[model.size()];
         this.drift = new ParameterNoise[parameters];
-        Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
+        Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec));
     }
 
     @Override
@@ -108,10 +114,11 @@ final class ParticleFilter implements BodyFilter {
 
     @Override
     public void start() {
+        ParticlePrior prior = new ParticlePrior(spec.adaptation());
         double[] centre = ahead;
         model.start(centre);
         for (double[] particle : particles) {
-            ParticlePrior.draw(centre, states, random, particle);
+            prior.draw(centre, states, random, particle);
         }
         begin();
     }
@@ -145,7 +152,7 @@ final class ParticleFilter implements BodyFilter {
         }
         weights.equal();
         mean[model.offset()] = 0;
-        offsetVariance = JointFilter.START_OFFSET * JointFilter.START_OFFSET;
+        offsetVariance = offsetDeviation * offsetDeviation;
         sensitivity.reset();
         excitation.reset();
         cloud.meanOf(particles, weights.all(), mean);
@@ -156,7 +163,7 @@ final class ParticleFilter implements BodyFilter {
     @Override
     public void doubt() {
         for (int i = 0; i < parameters; i++) {
-            walk[i] += JointFilter.CHANGE * JointFilter.CHANGE;
+            walk[i] += change * change;
             drift[i].reset();
         }
         resample();
@@ -216,7 +223,7 @@ final class ParticleFilter implements BodyFilter {
         double independent = variance * samplesInOne;
         System.arraycopy(mean, states, kept, 0, parameters);
         if (sensitivity.informed()) {
-            weigh(foreseen, independent + UNDERWEIGHT * predicted, independent);
+            weigh(foreseen, independent + underweight * predicted, independent);
         }
         double gain = offsetVariance / (predicted + independent);
         mean[model.offset()] += gain * innovation.believed();
@@ -237,7 +244,7 @@ final class ParticleFilter implements BodyFilter {
             weights.add(k, -e * e / (2 * r));
             nearest = Math.min(nearest, Math.abs(innovation.value() + foreseen - outputs[k]));
         }
-        boolean lost = !(nearest * nearest / (2 * (independent + offsetVariance)) < IMPOSSIBLE);
+        boolean lost = !(nearest * nearest / (2 * (independent + offsetVariance)) < settings.impossible());
         impossible = lost ? impossible + 1 / spec.rate() : 0;
         if (weights.normalise() < outputs.length / 2.0) {
             resample();
@@ -275,7 +282,7 @@ final class ParticleFilter implements BodyFilter {
             normal[i] = random.nextGaussian();
         }
         for (int i = 0; i < moving; i++) {
-            child[i] = SHRINK * parent[i] + (1 - SHRINK) * mean[i] + KERNEL * cloud.rootTimes(i, normal);
+            child[i] = shrinkage * parent[i] + (1 - shrinkage) * mean[i] + kernel * cloud.rootTimes(i, normal);
         }
         for (int i = 0; i < parameters; i++) {
             child[states + i] += Math.sqrt(walk[i]) * random.nextGaussian();
@@ -319,7 +326,7 @@ final class ParticleFilter implements BodyFilter {
                 return false;
             }
         }
-        return impossible <= LONGEST_IMPOSSIBLE && model.sane(mean);
+        return impossible <= settings.longestImpossible() && model.sane(mean);
     }
 
     @Override

@@ -2,6 +2,7 @@ package wbv.filter;
 
 import wbv.filter.drift.ChangeTest;
 import wbv.filter.drift.EvidenceTest;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -13,22 +14,18 @@ final class Witness implements ChangeTests {
 
     private static final long serialVersionUID = 1;
 
-    /**
-     * Time in which what is heard is that a body was found, not that it changed [s]. Of 180 starts anywhere between 1 and 15 Hz, 13
-     * were heard to change, the last after 6.6 s.
-     */
-    private static final double FINDING = 10;
-
     private final double rate;
+    private final double finding;
     private final Bank bank;
     private final EvidenceTest evidence;
     private double since;
 
-    /** @param rate [Hz] */
-    Witness(double rate, Bank bank) {
-        this.rate = rate;
+    /** @param spec rate and adaptation */
+    Witness(Spec spec, Bank bank) {
+        this.rate = spec.rate();
+        this.finding = spec.adaptation().changes().finding();
         this.bank = bank;
-        this.evidence = new EvidenceTest(rate);
+        this.evidence = new EvidenceTest(rate, spec.adaptation().changes());
     }
 
     @Override
@@ -59,7 +56,7 @@ final class Witness implements ChangeTests {
         if (!evidence.hear(noise.explainsLittle() ? 0 : bank.gain())) {
             return ChangeTest.NONE;
         }
-        if (since < FINDING) {
+        if (since < finding) {
             bank.doubt();
             forget();
             return ChangeTest.NONE;

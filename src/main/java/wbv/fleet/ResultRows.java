@@ -25,8 +25,8 @@ public final class ResultRows {
     public String header() {
         StringBuilder head = new StringBuilder("seat,t_s");
         for (SeatPlan.Body body : plan.bodies()) {
-            for (int mode = 1; mode <= body.recipe().degrees(); mode++) {
-                String of = body.output() + (body.recipe().degrees() > 1 ? "." + mode : "");
+            for (int mode = 1; mode <= body.design().degrees(); mode++) {
+                String of = body.output() + (body.design().degrees() > 1 ? "." + mode : "");
                 head.append(',').append(of).append(".frequency_Hz,").append(of).append(".frequency_deviation_Hz,").append(of)
                         .append(".damping,").append(of).append(".damping_deviation");
             }

@@ -11,12 +11,12 @@ import wbv.filter.model.Spec;
  * @param density noise of both sensors [m/s²/√Hz or rad/s/√Hz]
  * @param detector as {@link Detectors} reads it
  */
-record BodySetup(EstimatorDesign recipe, double frequency, double damping, double density, double drift, String detector)
+record BodySetup(EstimatorDesign design, double frequency, double damping, double density, double drift, String detector)
         implements Serializable {
 
     /** @param rate [Hz] */
     Estimator estimator(double rate) {
         double noise = density * Math.sqrt(rate / 2);
-        return recipe.estimator(new Spec(rate, frequency, damping, noise, noise, drift), Detectors.named(detector));
+        return design.estimator(new Spec(rate, frequency, damping, noise, noise, drift), Detectors.named(detector));
     }
 }

@@ -54,9 +54,9 @@ public non-sealed class BodyTracker extends BodyRegressor {
 
     @Override
     InstanceFeed freshFeed() {
-        EstimatorDesign recipe = new EstimatorDesign(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
+        EstimatorDesign design = new EstimatorDesign(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
                 particlesOption.getValue(), seedOption.getValue(), FixedBounds.parse(boundsOption.getValue()));
-        return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(),
+        return new InstanceFeed(new BodySetup(design, frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(),
                 Spec.DRIFT, detectorOption.getValueAsCLIString()), inputOption.getValue(), crossOption.getValue(), USUAL_RATE);
     }

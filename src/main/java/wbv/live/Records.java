@@ -29,7 +29,7 @@ final class Records {
                     }).list("bodies", list -> {
                         for (SeatPlan.Body body : plan.bodies()) {
                             list.item(each -> each.text("input", body.input().toString()).text("output", body.output().toString())
-                                    .text("estimator", body.recipe().method().word()));
+                                    .text("estimator", body.design().method().word()));
                         }
                     }).text("exposure_axes", axes(plan)).truth("states", plan.states().isPresent());
         });

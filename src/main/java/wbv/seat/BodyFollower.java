@@ -27,7 +27,7 @@ final class BodyFollower implements Snapshot {
         this.body = body;
         this.input = plan.column(body.input());
         this.output = plan.column(body.output());
-        this.estimator = body.recipe().estimator(body.spec(), Adwin::new);
+        this.estimator = body.design().estimator(body.spec(), Adwin::new);
         this.frequencyBefore = estimator.track().frequency();
     }
 

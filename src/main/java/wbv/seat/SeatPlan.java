@@ -48,7 +48,7 @@ public final class SeatPlan {
      * @param input channel that shakes it
      * @param output channel of its motion
      */
-    public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) {}
+    public record Body(Channel input, Channel output, EstimatorDesign design, Spec spec) {}
 
     /**
      * Looks for everything that is needed among the channels.

@@ -55,7 +55,7 @@ public final class Asymptotes {
     /**
      * Works the functions out and writes {@code asymptotes.csv} and {@code results.json}.
      *
-     * @param request its recipes are not used
+     * @param request its designs are not used
      * @throws DataFault if the recording does not have the channels, or is too short
      */
     public static Asymptotes run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress)

@@ -60,7 +60,7 @@ public final class FollowedBody {
     public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) {}
 
     private final Channel channel;
-    private final EstimatorDesign recipe;
+    private final EstimatorDesign design;
     private final boolean follows;
     private final AccompaniedEstimator estimator;
     private final List<Outline> outlines = new ArrayList<>();
@@ -82,13 +82,13 @@ public final class FollowedBody {
     private boolean moves;
     private Optional<Estimate> known = Optional.empty();
 
-    private FollowedBody(Channel channel, EstimatorDesign recipe, boolean follows, Spec spec, Supplier<? extends Alarm> alarms,
+    private FollowedBody(Channel channel, EstimatorDesign design, boolean follows, Spec spec, Supplier<? extends Alarm> alarms,
             int others) {
         this.channel = channel;
-        this.recipe = recipe;
+        this.design = design;
         this.follows = follows;
-        this.estimator = new AccompaniedEstimator(recipe.estimator(spec, alarms), others);
-        for (int m = 0; m < recipe.degrees(); m++) {
+        this.estimator = new AccompaniedEstimator(design.estimator(spec, alarms), others);
+        for (int m = 0; m < design.degrees(); m++) {
             outlines.add(Outline.empty());
         }
     }
@@ -97,8 +97,8 @@ public final class FollowedBody {
      * @param alarms makes an alarm for each filter
      * @param others number of motions of the base beside the input
      */
-    FollowedBody(Channel channel, EstimatorDesign recipe, Spec spec, Supplier<Alarm> alarms, int others) {
-        this(channel, recipe, true, spec, alarms, others);
+    FollowedBody(Channel channel, EstimatorDesign design, Spec spec, Supplier<Alarm> alarms, int others) {
+        this(channel, design, true, spec, alarms, others);
     }
 
     /**
@@ -202,8 +202,8 @@ public final class FollowedBody {
     }
 
     /** Of the estimator. */
-    public EstimatorDesign recipe() {
-        return recipe;
+    public EstimatorDesign design() {
+        return design;
     }
 
     Estimator estimator() {
@@ -232,7 +232,7 @@ public final class FollowedBody {
 
     /** Name of estimator and output together, as columns have it. */
     public String name() {
-        return channel + "." + recipe.method().word();
+        return channel + "." + design.method().word();
     }
 
     /** Times of changes from the first sample [s], as many as there are, at most the first 500. */

@@ -55,7 +55,7 @@ public final class Tracking {
                 throw new DataFault(output + " cannot answer " + input
                         + ": input and output must be two accelerations or two angular rates");
             }
-            request.recipes().forEach(recipe -> followed.add(new FollowedBody(output, recipe,
+            request.designs().forEach(design -> followed.add(new FollowedBody(output, design,
                     request.spec(PathBodies.kind(input), inspection.clock().rate()), Detectors.named(request.detector()),
                     request.others().size())));
         }
@@ -141,7 +141,7 @@ public final class Tracking {
     }
 
     private TrackFile file(Path path) throws IOException {
-        return TrackFile.of(path, followed.stream().map(one -> new TrackFile.Body(one.name(), one.recipe().degrees(),
+        return TrackFile.of(path, followed.stream().map(one -> new TrackFile.Body(one.name(), one.design().degrees(),
                 PathBodies.kind(input) == Quantity.ANGULAR_RATE ? "rad_s" : "m_s2")).toList(), request.provenance());
     }
 
@@ -159,8 +159,8 @@ public final class Tracking {
                 inspection.duration(), inspection.clock().rate(), input + crossing()));
         for (int i = 0; i < outputs.size(); i++) {
             text.append(String.format(Locale.ROOT, "%-20s %s%n", outputs.get(i), bodies.get(i).line()));
-            for (FollowedBody one : followed.subList(i * request.recipes().size(), (i + 1) * request.recipes().size())) {
-                text.append(String.format(Locale.ROOT, "  at the end, %-12s %s%n", one.recipe().method().word(), one.line()));
+            for (FollowedBody one : followed.subList(i * request.designs().size(), (i + 1) * request.designs().size())) {
+                text.append(String.format(Locale.ROOT, "  at the end, %-12s %s%n", one.design().method().word(), one.line()));
             }
         }
         return text.toString();
@@ -168,14 +168,14 @@ public final class Tracking {
 
     /** The MOA task that follows the first output by the last estimator. */
     public String taskString() {
-        FollowedBody one = followed.get(request.recipes().size() - 1);
+        FollowedBody one = followed.get(request.designs().size() - 1);
         double density = one.estimator().spec().outputNoise() / Math.sqrt(inspection.clock().rate() / 2);
         String source = request.source().toString();
         return String.format(Locale.ROOT,
                 "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d%s%s)"
                         + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)",
-                one.recipe().method().word(), one.recipe().degrees(),
-                request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
+                one.design().method().word(), one.design().degrees(),
+                request.frequency(), request.damping(), density, one.design().particles(), one.design().seed(),
                 request.others().isEmpty() ? "" : " -x " + names(","), detector(),
                 source.contains(" ") ? "'" + source + "'" : source,
                 request.others().isEmpty() ? input : input + "," + names(","), one.channel());

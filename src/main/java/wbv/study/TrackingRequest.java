@@ -16,7 +16,7 @@ import wbv.recording.inspect.RowSource;
  * @param input      motion that excites; empty to choose the platform's, else the seat's
  * @param outputs    motions that answer; none to take every other place along the input's axis
  * @param others     motions of the base beside the input, whose part in the outputs is learned and taken away; may be none
- * @param recipes    estimators, one or more
+ * @param designs    estimators, one or more
  * @param frequency  natural frequency at which they start [Hz]
  * @param damping    damping ratio at which they start
  * @param density    noise density of the sensors, NaN for the usual [m/s²/√Hz or rad/s/√Hz]
@@ -24,7 +24,7 @@ import wbv.recording.inspect.RowSource;
  * @param provenance what the report says of its own making, by name
  */
 public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
-        List<Channel> others, List<EstimatorDesign> recipes,
+        List<Channel> others, List<EstimatorDesign> designs,
         double frequency, double damping, double density, String detector,
         Map<String, String> provenance) {
 
@@ -32,13 +32,13 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
         if (input.size() > 1) {
             throw new IllegalArgumentException("there is one input: " + input);
         }
-        if (recipes.isEmpty()) {
+        if (designs.isEmpty()) {
             throw new IllegalArgumentException("at least one estimator is needed");
         }
         input = List.copyOf(input);
         outputs = List.copyOf(outputs);
         others = List.copyOf(others);
-        recipes = List.copyOf(recipes);
+        designs = List.copyOf(designs);
     }
 
     /** How channels are chosen where they are not named: as an analysis does. */
@@ -48,7 +48,7 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
 
     /** Degrees of freedom of the body over the recording: two if they were asked for, else as many as the data ask for. */
     int degrees() {
-        return recipes.stream().anyMatch(recipe -> recipe.degrees() == 2) ? 2 : 0;
+        return designs.stream().anyMatch(design -> design.degrees() == 2) ? 2 : 0;
     }
 
     /**

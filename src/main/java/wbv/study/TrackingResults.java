@@ -48,7 +48,7 @@ public record TrackingResults(String recording, double rate_hz, double duration_
                 modes.add(new ModeFacts(track.frequency(m), track.frequencyDeviation(m), track.damping(m),
                         track.dampingDeviation(m)));
             }
-            facts.add(new TrackFacts(one.channel().toString(), one.recipe().method().word(), one.recipe().degrees(), modes,
+            facts.add(new TrackFacts(one.channel().toString(), one.design().method().word(), one.design().degrees(), modes,
                     track.share(), one.meanSquareError(), one.relativeError(), one.meanNis(), track.outputNoise(), one.excited(),
                     one.changes(), one.heardBy(), track.cuts(), track.divergences(), track.reseeds(), track.gaps(), track.missing(),
                     one.caution()));

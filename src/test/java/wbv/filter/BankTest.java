@@ -90,9 +90,9 @@ class BankTest {
         Recording ride = new RecordingFile(Path.of("data/arff/ride-subject1.arff")).load();
         double[] u = ride.values(Channel.parse("platform.acc.z"));
         double[] y = ride.values(Channel.parse("head.acc.z"));
-        EstimatorDesign recipe = EstimatorDesign.of(Method.named(method).orElseThrow()).withDegrees(degrees);
-        Estimator one = recipe.estimator(Spec.at(60), Silent::new);
-        Estimator other = recipe.estimator(Spec.at(60), Silent::new);
+        EstimatorDesign design = EstimatorDesign.of(Method.named(method).orElseThrow()).withDegrees(degrees);
+        Estimator one = design.estimator(Spec.at(60), Silent::new);
+        Estimator other = design.estimator(Spec.at(60), Silent::new);
         for (int i = 0; i < 4000; i++) {
             boolean out = i % 501 < 40;
             double[] first = variances(one.step(u[i], out ? Double.NaN : y[i]));

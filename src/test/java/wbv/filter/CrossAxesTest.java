@@ -73,7 +73,7 @@ class CrossAxesTest {
 
     @Test
     void thePartOfTheOtherIsWhatItsClosedFormSays() {
-        CrossAxes cross = new CrossAxes(SimulatedSitter.RATE, 1);
+        CrossAxes cross = new CrossAxes(Spec.at(SimulatedSitter.RATE), 1);
         double errors = 0;
         double power = 0;
         for (int i = 0; i < SAMPLES; i++) {
@@ -92,7 +92,7 @@ class CrossAxesTest {
     /** An hour of one frequency tells about two numbers of 24: nothing winds up, and no other motion shakes loose after. */
     @Test
     void anHourOfOneFrequencyDoesNoHarm() {
-        CrossAxes cross = new CrossAxes(SimulatedSitter.RATE, 1);
+        CrossAxes cross = new CrossAxes(Spec.at(SimulatedSitter.RATE), 1);
         Random random = new Random(5);
         double[] others = new double[1];
         for (int i = 0; i < 60 * 60 * 60; i++) {
@@ -151,6 +151,6 @@ class CrossAxesTest {
             assertEquals(alone.step(measured.u()[i], measured.y()[i]).prediction(),
                     accompanied.step(measured.u()[i], new double[0], measured.y()[i]).prediction(), 0);
         }
-        assertThrows(IllegalArgumentException.class, () -> new CrossAxes(60, -1));
+        assertThrows(IllegalArgumentException.class, () -> new CrossAxes(Spec.at(60), -1));
     }
 }

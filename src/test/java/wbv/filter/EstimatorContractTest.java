@@ -28,35 +28,35 @@ class EstimatorContractTest {
     @TestFactory
     Stream<DynamicNode> everyEstimatorKeepsTheContract() {
         return Arrays.stream(Method.values()).flatMap(method -> Stream.of(1, 2).map(degrees -> {
-            EstimatorDesign recipe = EstimatorDesign.of(method).withDegrees(degrees).withParticles(200);
+            EstimatorDesign design = EstimatorDesign.of(method).withDegrees(degrees).withParticles(200);
             return DynamicContainer.dynamicContainer(method.word() + ", " + degrees + " degrees", Stream.of(
-                    test("resetReplays", recipe, EstimatorContractTest::resetReplays),
-                    test("aCopyContinuesAlike", recipe, EstimatorContractTest::aCopyContinuesAlike),
-                    test("predictingChangesNothing", recipe, EstimatorContractTest::predictingChangesNothing),
-                    test("missingSamplesAreToleratedAndCounted", recipe,
+                    test("resetReplays", design, EstimatorContractTest::resetReplays),
+                    test("aCopyContinuesAlike", design, EstimatorContractTest::aCopyContinuesAlike),
+                    test("predictingChangesNothing", design, EstimatorContractTest::predictingChangesNothing),
+                    test("missingSamplesAreToleratedAndCounted", design,
                             EstimatorContractTest::missingSamplesAreToleratedAndCounted),
-                    test("aGapOfTenSecondsKeepsTheParameters", recipe, EstimatorContractTest::aGapOfTenSecondsKeepsTheParameters),
-                    test("aChannelThatDiesLeavesTheParameters", recipe,
+                    test("aGapOfTenSecondsKeepsTheParameters", design, EstimatorContractTest::aGapOfTenSecondsKeepsTheParameters),
+                    test("aChannelThatDiesLeavesTheParameters", design,
                             EstimatorContractTest::aChannelThatDiesLeavesTheParameters),
-                    test("aConstantInputHoldsTheParameters", recipe, EstimatorContractTest::aConstantInputHoldsTheParameters),
-                    test("theCovarianceStaysSymmetricAndPositive", recipe,
+                    test("aConstantInputHoldsTheParameters", design, EstimatorContractTest::aConstantInputHoldsTheParameters),
+                    test("theCovarianceStaysSymmetricAndPositive", design,
                             EstimatorContractTest::theCovarianceStaysSymmetricAndPositive),
-                    test("nothingIsAllocatedPerSample", recipe, EstimatorContractTest::nothingIsAllocatedPerSample)));
+                    test("nothingIsAllocatedPerSample", design, EstimatorContractTest::nothingIsAllocatedPerSample)));
         }));
     }
 
-    private static DynamicTest test(String name, EstimatorDesign recipe, Consumer<EstimatorDesign> law) {
-        return DynamicTest.dynamicTest(name, () -> law.accept(recipe));
+    private static DynamicTest test(String name, EstimatorDesign design, Consumer<EstimatorDesign> law) {
+        return DynamicTest.dynamicTest(name, () -> law.accept(design));
     }
 
-    private static Estimator estimator(EstimatorDesign recipe) {
-        return recipe.estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
+    private static Estimator estimator(EstimatorDesign design) {
+        return design.estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
     }
 
     /** Of two modes where the body is to have two: half of each. */
-    private static Motion motion(EstimatorDesign recipe, int samples) {
+    private static Motion motion(EstimatorDesign design, int samples) {
         Motion first = SITTER.steady(0.8, samples, 5);
-        if (recipe.degrees() == 1) {
+        if (design.degrees() == 1) {
             return first.measured(NOISE, 5);
         }
         Motion second = new SimulatedSitter(10, 0.25).steady(0.8, samples, 5);
@@ -78,28 +78,28 @@ class EstimatorContractTest {
         return seen;
     }
 
-    private static void resetReplays(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 900);
+    private static void resetReplays(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 900);
         double[] first = run(estimator, motion, 0, 900);
         assertNotEquals(first[0], first[4 * 899], "something is estimated");
         estimator.reset();
         assertTrue(Arrays.equals(first, run(estimator, motion, 0, 900)));
     }
 
-    private static void aCopyContinuesAlike(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 900);
+    private static void aCopyContinuesAlike(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 900);
         run(estimator, motion, 0, 450);
         Estimator copy = estimator.copy();
         double[] original = run(estimator, motion, 450, 900);
         assertTrue(Arrays.equals(original, run(copy, motion, 450, 900)));
     }
 
-    private static void predictingChangesNothing(EstimatorDesign recipe) {
-        Estimator asked = estimator(recipe);
-        Estimator left = estimator(recipe);
-        Motion motion = motion(recipe, 600);
+    private static void predictingChangesNothing(EstimatorDesign design) {
+        Estimator asked = estimator(design);
+        Estimator left = estimator(design);
+        Motion motion = motion(design, 600);
         for (int i = 0; i < 600; i++) {
             double foreseen = asked.predict(motion.u()[i]);
             assertEquals(foreseen, asked.predict(motion.u()[i]), 0);
@@ -109,9 +109,9 @@ class EstimatorContractTest {
         assertTrue(Arrays.equals(asked.covariance(), left.covariance()));
     }
 
-    private static void missingSamplesAreToleratedAndCounted(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 1800);
+    private static void missingSamplesAreToleratedAndCounted(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 1800);
         Random random = new Random(9);
         long missing = 0;
         for (int i = 0; i < 1800; i++) {
@@ -123,19 +123,19 @@ class EstimatorContractTest {
         }
         assertEquals(missing, estimator.track().missing());
         assertEquals(0, estimator.track().gaps());
-        near(recipe, estimator.track(), 0.1);
+        near(design, estimator.track(), 0.1);
     }
 
-    private static void near(EstimatorDesign recipe, BodyEstimate track, double tolerance) {
-        if (recipe.degrees() == 1) {
+    private static void near(EstimatorDesign design, BodyEstimate track, double tolerance) {
+        if (design.degrees() == 1) {
             assertEquals(1, track.frequency() / SITTER.frequency(), tolerance);
             assertEquals(1, track.damping() / SITTER.damping(), 2 * tolerance);
         }
     }
 
-    private static void aGapOfTenSecondsKeepsTheParameters(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 3000);
+    private static void aGapOfTenSecondsKeepsTheParameters(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 3000);
         run(estimator, motion, 0, 1500);
         double frequency = estimator.track().frequency();
         double deviation = estimator.track().frequencyDeviation();
@@ -146,12 +146,12 @@ class EstimatorContractTest {
         assertEquals(1, estimator.track().frequency() / frequency, 2e-3);
         assertTrue(estimator.track().frequencyDeviation() > deviation, "less is known after ten seconds");
         run(estimator, motion, 2100, 3000);
-        near(recipe, estimator.track(), 0.1);
+        near(design, estimator.track(), 0.1);
     }
 
-    private static void aChannelThatDiesLeavesTheParameters(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 3600);
+    private static void aChannelThatDiesLeavesTheParameters(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 3600);
         run(estimator, motion, 0, 1500);
         double frequency = estimator.track().frequency();
         double deviation = estimator.track().frequencyDeviation();
@@ -164,8 +164,8 @@ class EstimatorContractTest {
         assertTrue(estimator.track().frequencyDeviation() > deviation);
     }
 
-    private static void aConstantInputHoldsTheParameters(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
+    private static void aConstantInputHoldsTheParameters(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
         Motion motion = SITTER.fading(0.8, 34, 30, 5).measured(NOISE, 5);
         run(estimator, motion, 0, 34 * 60);
         double frequency = estimator.track().frequency();
@@ -173,14 +173,14 @@ class EstimatorContractTest {
             estimator.step(0, 0);
         }
         assertEquals(1, estimator.track().frequency() / frequency, 0.02);
-        if (recipe.method() != Method.EKF) {
+        if (design.method() != Method.EKF) {
             assertTrue(!estimator.track().excited(), "said that nothing is learned");
         }
     }
 
-    private static void theCovarianceStaysSymmetricAndPositive(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 1200);
+    private static void theCovarianceStaysSymmetricAndPositive(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 1200);
         Random random = new Random(3);
         for (int i = 0; i < 1200; i++) {
             estimator.step(random.nextInt(20) == 0 ? Double.NaN : motion.u()[i], random.nextInt(20) == 0 ? Double.NaN
@@ -205,10 +205,10 @@ class EstimatorContractTest {
         return to;
     }
 
-    private static void nothingIsAllocatedPerSample(EstimatorDesign recipe) {
-        Estimator estimator = estimator(recipe);
-        Motion motion = motion(recipe, 1500);
-        for (int warm = 0; warm < (recipe.method() == Method.FUSED ? 3 : 8); warm++) {
+    private static void nothingIsAllocatedPerSample(EstimatorDesign design) {
+        Estimator estimator = estimator(design);
+        Motion motion = motion(design, 1500);
+        for (int warm = 0; warm < (design.method() == Method.FUSED ? 3 : 8); warm++) {
             feed(estimator, motion);
         }
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -26,7 +26,7 @@ class EstimatorStateTest {
     private static final int POINTS = 40;
     private static final int GOES_ON = 60;
 
-    static List<EstimatorDesign> recipes() {
+    static List<EstimatorDesign> designs() {
         List<EstimatorDesign> all = new ArrayList<>();
         for (Method method : Method.values()) {
             for (int degrees = 1; degrees <= 2; degrees++) {
@@ -62,13 +62,13 @@ class EstimatorStateTest {
 
     @TestFactory
     Stream<DynamicTest> aSavedEstimatorGoesOnBitForBit() {
-        return recipes().stream().map(recipe -> DynamicTest.dynamicTest(recipe.toString(), () -> goesOn(recipe)));
+        return designs().stream().map(design -> DynamicTest.dynamicTest(design.toString(), () -> goesOn(design)));
     }
 
-    private static void goesOn(EstimatorDesign recipe) {
-        double[][] in = samples(recipe.hashCode() & 0xFF);
-        Random random = new Random(recipe.method().ordinal());
-        Estimator estimator = recipe.estimator(Spec.at(60), Adwin::new);
+    private static void goesOn(EstimatorDesign design) {
+        double[][] in = samples(design.hashCode() & 0xFF);
+        Random random = new Random(design.method().ordinal());
+        Estimator estimator = design.estimator(Spec.at(60), Adwin::new);
         long[][] said = new long[SAMPLES][];
         byte[][] states = new byte[SAMPLES + 1][];
         boolean[] wanted = new boolean[SAMPLES + 1];
@@ -87,7 +87,7 @@ class EstimatorStateTest {
         }
         for (int at : points) {
             Estimator copy = EstimatorState.read("state", states[at], Adwin::new);
-            assertEquals(recipe, copy.recipe());
+            assertEquals(design, copy.design());
             for (int i = at; i < at + GOES_ON; i++) {
                 assertArrayEquals(said[i], bits(copy.step(in[0][i], in[1][i])), "sample " + i + " of " + at);
             }
@@ -99,11 +99,11 @@ class EstimatorStateTest {
     /** Loaded into one that has another past, nothing of that past is left. */
     @TestFactory
     Stream<DynamicTest> whatWasThereBeforeIsForgotten() {
-        return recipes().stream().map(recipe -> DynamicTest.dynamicTest(recipe.toString(), () -> {
+        return designs().stream().map(design -> DynamicTest.dynamicTest(design.toString(), () -> {
             double[][] one = samples(1);
             double[][] other = samples(2);
-            Estimator saved = recipe.estimator(Spec.at(60), Adwin::new);
-            Estimator used = recipe.estimator(Spec.at(60), Adwin::new);
+            Estimator saved = design.estimator(Spec.at(60), Adwin::new);
+            Estimator used = design.estimator(Spec.at(60), Adwin::new);
             for (int i = 0; i < 700; i++) {
                 saved.step(one[0][i], one[1][i]);
                 used.step(other[0][i], other[1][i]);

@@ -120,8 +120,8 @@ class ExactStepTest {
         Complex z = new Complex(0, 2 * Math.PI * f * T).exp();
         double[] real = new double[InputWindow.POINTS];
         double[] imaginary = new double[InputWindow.POINTS];
-        InputWindow window = new InputWindow(60);
-        InputWindow quadrature = new InputWindow(60);
+        InputWindow window = new InputWindow(Spec.at(60));
+        InputWindow quadrature = new InputWindow(Spec.at(60));
         for (int i = 0; i < InputWindow.POINTS; i++) {
             Complex sample = new Complex(0, 2 * Math.PI * f * T * (i - InputWindow.POINTS / 2)).exp();
             window.push(sample.getReal(), true);

@@ -7,16 +7,18 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.filter.model.Spec;
 
 class NoiseTest {
 
     private static final double RATE = 60;
     private static final double SENSOR = 0.01;
+    private static final Spec SPEC = Spec.at(RATE).withNoise(SENSOR);
 
     /** Output of 1 m/s² rms whose innovations have a share of the model's error in them, and nothing that the filter expects. */
     private static OutputNoise after(double modelError, int samples, long seed) {
         Random random = new Random(seed);
-        OutputNoise noise = new OutputNoise(RATE, SENSOR);
+        OutputNoise noise = new OutputNoise(SPEC);
         for (int i = 0; i < samples; i++) {
             noise.hear(random.nextGaussian());
             noise.learn(SENSOR * random.nextGaussian() + modelError * random.nextGaussian(), 0);
@@ -51,7 +53,7 @@ class NoiseTest {
     @ValueSource(doubles = {0, 0.5, 0.8})
     void samplesThatFollowEachOtherCountLess(double correlation) {
         Random random = new Random(2);
-        OutputNoise noise = new OutputNoise(RATE, SENSOR);
+        OutputNoise noise = new OutputNoise(SPEC);
         double value = 0;
         double mean = 0;
         for (int i = 0; i < 60000; i++) {
@@ -68,7 +70,7 @@ class NoiseTest {
         Random random = new Random(3);
         double[] q = new double[2];
         for (int sign = 0; sign < 2; sign++) {
-            ParameterNoise noise = new ParameterNoise(1e-4, RATE);
+            ParameterNoise noise = new ParameterNoise(1e-4, SPEC);
             for (int i = 0; i < 20000; i++) {
                 noise.learn((sign == 0 ? 1 : -1) * 0.003 + 0.004 * random.nextGaussian(), 20000);
             }
@@ -80,7 +82,7 @@ class NoiseTest {
 
     @Test
     void processNoiseKeepsItsBounds() {
-        ParameterNoise noise = new ParameterNoise(0.003, RATE);
+        ParameterNoise noise = new ParameterNoise(0.003, SPEC);
         assertEquals(0.003 * 0.003 / RATE, noise.variance(), 0);
         for (int i = 0; i < 100; i++) {
             noise.learn(10, 100);

@@ -37,7 +37,7 @@ class GoldenStatesTest {
     /** Places of what is told of a seat's exposure. */
     private static final List<Integer> EXPOSURE = List.of(4, 5, 6);
 
-    private static List<EstimatorDesign> recipes() {
+    private static List<EstimatorDesign> designs() {
         List<EstimatorDesign> all = new ArrayList<>();
         for (Method method : Method.values()) {
             for (int degrees = 1; degrees <= 2; degrees++) {
@@ -47,8 +47,8 @@ class GoldenStatesTest {
         return all;
     }
 
-    private static String name(EstimatorDesign recipe) {
-        return recipe.method().word() + "-" + recipe.degrees();
+    private static String name(EstimatorDesign design) {
+        return design.method().word() + "-" + design.degrees();
     }
 
     private static void feed(Estimator estimator, int from, int to) {
@@ -85,13 +85,13 @@ class GoldenStatesTest {
     Stream<DynamicTest> statesOfEveryFormLoad() {
         return java.util.stream.IntStream.rangeClosed(1, StateWriter.VERSION).boxed().flatMap(version -> {
             Path folder = FOLDER.resolve("v" + version);
-            Stream<DynamicTest> estimators = recipes().stream().map(recipe -> DynamicTest.dynamicTest(
-                    folder.resolve(name(recipe)).toString(), () -> {
-                        Path file = folder.resolve(name(recipe) + ".state");
+            Stream<DynamicTest> estimators = designs().stream().map(design -> DynamicTest.dynamicTest(
+                    folder.resolve(name(design)).toString(), () -> {
+                        Path file = folder.resolve(name(design) + ".state");
                         Estimator estimator = EstimatorState.read(file.toString(), Files.readAllBytes(file), Adwin::new);
-                        assertEquals(recipe, estimator.recipe());
+                        assertEquals(design, estimator.design());
                         feed(estimator, SAVED, SAVED + GOES_ON);
-                        near(Files.readString(folder.resolve(name(recipe) + ".txt")), said(estimator.track()));
+                        near(Files.readString(folder.resolve(name(design) + ".txt")), said(estimator.track()));
                     }));
             return Stream.concat(estimators, Stream.of(DynamicTest.dynamicTest(folder.resolve("seat").toString(), () -> {
                 Path file = folder.resolve("seat.state");
@@ -121,12 +121,12 @@ class GoldenStatesTest {
     /** Writes the states of the present form, before it is released. */
     public static void main(String[] words) throws IOException {
         Path folder = Files.createDirectories(FOLDER.resolve("v" + StateWriter.VERSION));
-        for (EstimatorDesign recipe : recipes()) {
-            Estimator estimator = recipe.estimator(Spec.at(Seats.RATE), Adwin::new);
+        for (EstimatorDesign design : designs()) {
+            Estimator estimator = design.estimator(Spec.at(Seats.RATE), Adwin::new);
             feed(estimator, 0, SAVED);
-            Files.write(folder.resolve(name(recipe) + ".state"), EstimatorState.of(estimator));
+            Files.write(folder.resolve(name(design) + ".state"), EstimatorState.of(estimator));
             feed(estimator, SAVED, SAVED + GOES_ON);
-            Files.writeString(folder.resolve(name(recipe) + ".txt"), said(estimator.track()) + "\n");
+            Files.writeString(folder.resolve(name(design) + ".txt"), said(estimator.track()) + "\n");
         }
         Seat seat = seat();
         feed(seat, 0, SAVED);

@@ -1,28 +1,33 @@
 package wbv.filter.drift;
 
 import java.io.Serializable;
+import wbv.filter.model.Adaptation;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
 /**
  * Hears a body become stiffer or softer where noise hides it: Page's test (Biometrika 1954) on the likelihood of a step of
- * {@value #STEP} in ln ω against none, {@code ±δ h ν/S - δ² h²/2S} a sample, h how much the output depends on ln ω. No test that
- * rings falsely once in e^{@value #LARGEST} samples hears it sooner on average by more than a little (Lorden, Annals of
+ * δ in ln ω against none, {@code ±δ h ν/S - δ² h²/2S} a sample, h how much the output depends on ln ω. No test that
+ * rings falsely once in so many samples hears it sooner on average by more than a little (Lorden, Annals of
  * Mathematical Statistics 1971), but it needs a time in proportion to the noise's power.
  */
 public final class StepTest implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double STEP = 0.06;
-    private static final double LARGEST = 10;
-    /** |ν|/√S counts as this at most. */
-    private static final double MOST = 3;
-    /** A single sample says no more than this, so that no shock is a change. */
-    private static final double MOST_AT_ONCE = 1;
 
+    private final Adaptation.Changes settings;
     private double stiffer;
     private double softer;
+
+    /**
+     * Nothing heard yet.
+     *
+     * @param settings which step, and how much evidence of it is enough
+     */
+    public StepTest(Adaptation.Changes settings) {
+        this.settings = settings;
+    }
 
     /** Forgets what it heard. */
     public void restart() {
@@ -38,15 +43,17 @@ public final class StepTest implements Serializable, Snapshot {
      * @return true if the body has changed
      */
     public boolean hear(double normalised, double slope) {
-        double nu = Math.max(-MOST, Math.min(MOST, normalised));
-        double cost = 0.5 * STEP * STEP * slope * slope;
-        stiffer = Math.max(0, stiffer + limited(STEP * slope * nu - cost));
-        softer = Math.max(0, softer + limited(-STEP * slope * nu - cost));
-        return Math.max(stiffer, softer) > LARGEST;
+        double step = settings.step();
+        double most = settings.mostDeviation();
+        double nu = Math.max(-most, Math.min(most, normalised));
+        double cost = 0.5 * step * step * slope * slope;
+        stiffer = Math.max(0, stiffer + limited(step * slope * nu - cost));
+        softer = Math.max(0, softer + limited(-step * slope * nu - cost));
+        return Math.max(stiffer, softer) > settings.stepEvidence();
     }
 
-    private static double limited(double gain) {
-        return Math.max(-MOST_AT_ONCE, Math.min(MOST_AT_ONCE, gain));
+    private double limited(double gain) {
+        return Math.max(-settings.mostAtOnce(), Math.min(settings.mostAtOnce(), gain));
     }
 
     @Override

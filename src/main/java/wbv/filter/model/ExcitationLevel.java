@@ -9,21 +9,20 @@ import wbv.snapshot.StateWriter;
 public final class ExcitationLevel implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double MEMORY = 0.5;
-    /** The input must be this many times its sensor's noise. */
-    private static final double EXCITED = 2;
 
     private final double noise;
+    private final double least;
     private final MovingPower input;
 
     /**
      * Silence so far.
      *
-     * @param spec rate and noise of the input's sensor
+     * @param spec rate, noise of the input's sensor and adaptation
      */
     public ExcitationLevel(Spec spec) {
         this.noise = spec.inputNoise();
-        this.input = new MovingPower(Math.max(1, (int) Math.round(MEMORY * spec.rate())));
+        this.least = spec.adaptation().information().excited();
+        this.input = new MovingPower(Math.max(1, (int) Math.round(spec.adaptation().information().excitationMemory() * spec.rate())));
     }
 
     /** Silence again. */
@@ -40,9 +39,9 @@ public final class ExcitationLevel implements Serializable, Snapshot {
         input.hear(u);
     }
 
-    /** Whether the input is more than twice its noise. */
+    /** Whether the input is so many times its noise that it excites anything. */
     public boolean excited() {
-        return level() > EXCITED;
+        return level() > least;
     }
 
     /** The input over its sensor's noise, r.m.s. both [1]. */

@@ -17,7 +17,6 @@ public final class InputWindow implements Serializable, Snapshot {
     public static final int POINTS = 8;
     /** Samples after an interval that its polynomial needs: how far behind the present the filter corrects. */
     public static final int LATENCY = 3;
-    private static final double POWER_MEMORY = 5;
 
     /** By samples known after the interval: 0 joins them by a straight line, LATENCY has all. */
     private static final Interpolant[] BY_LOOK_AHEAD = {
@@ -36,10 +35,10 @@ public final class InputWindow implements Serializable, Snapshot {
     /**
      * At rest.
      *
-     * @param rate of the samples [Hz]
+     * @param spec rate and adaptation
      */
-    public InputWindow(double rate) {
-        this.forgetting = 1 / (POWER_MEMORY * rate);
+    public InputWindow(Spec spec) {
+        this.forgetting = 1 / (spec.adaptation().information().inputMemory() * spec.rate());
     }
 
     /** As new. */

@@ -13,9 +13,6 @@ import wbv.snapshot.StateWriter;
 public final class Sensitivity implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
-    private static final double MEMORY = 1;
-    /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
-    private static final double SENSITIVE = 1;
 
     private final BodyModel model;
     private final double forgetting;
@@ -32,13 +29,14 @@ public final class Sensitivity implements Serializable, Snapshot {
      * Nothing felt yet.
      *
      * @param model with slopes; the caller sets and moves it
-     * @param spec rate and noise of the sensors
+     * @param spec rate, noise of the sensors and adaptation
      */
     public Sensitivity(BodyModel model, Spec spec) {
         int n = model.parameters();
         this.model = model;
-        this.forgetting = 1 / (MEMORY * spec.rate());
-        this.least = SENSITIVE * SENSITIVE * spec.outputNoise() * spec.outputNoise();
+        Adaptation.Information information = spec.adaptation().information();
+        this.forgetting = 1 / (information.sensitivityMemory() * spec.rate());
+        this.least = information.sensitive() * information.sensitive() * spec.outputNoise() * spec.outputNoise();
         this.v = new double[n];
         this.w = new double[n];
         this.power = new double[n];

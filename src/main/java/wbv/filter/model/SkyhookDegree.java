@@ -12,6 +12,7 @@ public final class SkyhookDegree implements BodyModel {
     private static final long serialVersionUID = 1;
     /** Place of κ in ξ. */
     static final int SHARE = 4;
+    /** Beyond such a share an estimate has diverged [1]. */
     private static final double MOST_SHARE = 10;
 
     private final OneDegree body;

@@ -11,9 +11,10 @@ import java.io.Serializable;
  * @param inputNoise  standard deviation of the input sensor's noise in one sample [m/s² or rad/s], &gt; 0
  * @param outputNoise standard deviation of the output sensor's noise in one sample [m/s² or rad/s], &gt; 0
  * @param drift       how far both parameters may wander in one second, as a share of their value [1/√s], &gt;= 0
+ * @param adaptation  the numbers by which it adapts to what it meets
  */
-public record Spec(double rate, double frequency, double damping, double inputNoise, double outputNoise, double drift)
-        implements Serializable {
+public record Spec(double rate, double frequency, double damping, double inputNoise, double outputNoise, double drift,
+        Adaptation adaptation) implements Serializable {
 
     /** Bounds of the natural frequency [Hz] and of the damping ratio [1]; an estimate outside has diverged. */
     public static final double LEAST_FREQUENCY = 0.3;
@@ -54,6 +55,20 @@ public record Spec(double rate, double frequency, double damping, double inputNo
     }
 
     /**
+     * With the usual adaptation.
+     *
+     * @param rate        [Hz]
+     * @param frequency   [Hz]
+     * @param damping     [1]
+     * @param inputNoise  [m/s² or rad/s]
+     * @param outputNoise [m/s² or rad/s]
+     * @param drift       [1/√s]
+     */
+    public Spec(double rate, double frequency, double damping, double inputNoise, double outputNoise, double drift) {
+        this(rate, frequency, damping, inputNoise, outputNoise, drift, Adaptation.USUAL);
+    }
+
+    /**
      * Whether an estimator may start there.
      *
      * @param frequency [Hz]
@@ -80,7 +95,7 @@ public record Spec(double rate, double frequency, double damping, double inputNo
      * @param deviation of one sample of either sensor [m/s² or rad/s]
      */
     public Spec withNoise(double deviation) {
-        return new Spec(rate, frequency, damping, deviation, deviation, drift);
+        return new Spec(rate, frequency, damping, deviation, deviation, drift, adaptation);
     }
 
     /**
@@ -90,7 +105,12 @@ public record Spec(double rate, double frequency, double damping, double inputNo
      * @param damping [1]
      */
     public Spec startingAt(double frequency, double damping) {
-        return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift);
+        return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift, adaptation);
+    }
+
+    /** The same but for the numbers by which it adapts. */
+    public Spec adapting(Adaptation other) {
+        return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift, other);
     }
 
     /**

@@ -10,9 +10,7 @@ package wbv.filter.model;
 public final class TwoDegrees implements BodyModel {
 
     private static final long serialVersionUID = 1;
-    /** The second mode starts at this many times the first's frequency: a head on a torso. */
-    private static final double APART = 2;
-    private static final double START_SHARE = 0.8;
+    /** Beyond such a share of the output an estimate has diverged [1]. */
     private static final double MOST_SHARE = 10;
     private static final int SHARE = 8;
     private static final int CROSS = 9;
@@ -22,6 +20,7 @@ public final class TwoDegrees implements BodyModel {
     private final double startFrequency;
     private final double startSecond;
     private final double startDamping;
+    private final double startShare;
     private final double reference;
     private double g;
     private double h;
@@ -33,8 +32,9 @@ public final class TwoDegrees implements BodyModel {
      */
     public TwoDegrees(Spec spec, boolean slopes) {
         startFrequency = spec.frequency();
-        startSecond = Math.min(Spec.MOST_FREQUENCY / 1.2, APART * spec.frequency());
+        startSecond = Math.min(Spec.MOST_FREQUENCY / 1.2, spec.adaptation().prior().apart() * spec.frequency());
         startDamping = spec.damping();
+        startShare = spec.adaptation().prior().firstsShare();
         reference = 2 * Math.PI * startFrequency;
         slow = new OneDegree(reference, startFrequency, startDamping, spec.rate(), slopes);
         fast = new OneDegree(reference, startSecond, startDamping, spec.rate(), slopes);
@@ -56,7 +56,7 @@ public final class TwoDegrees implements BodyModel {
         xi[5] = Math.log(startDamping);
         xi[6] = Math.log(2 * Math.PI * startSecond);
         xi[7] = Math.log(startDamping);
-        xi[SHARE] = START_SHARE;
+        xi[SHARE] = startShare;
         xi[CROSS] = 0;
     }
 

@@ -48,7 +48,7 @@ public final class TrackingPage {
     }
 
     private Page page() {
-        String methods = tracking.request().recipes().stream().map(recipe -> recipe.method().word()).collect(Collectors.joining(", "));
+        String methods = tracking.request().designs().stream().map(design -> design.method().word()).collect(Collectors.joining(", "));
         List<Section> sections = new ArrayList<>(List.of(summary()));
         tracking.outputs().forEach(output -> sections.add(tracks(output)));
         sections.add(responses());
@@ -63,7 +63,7 @@ public final class TrackingPage {
         List<Findings.Finding> cautions = new ArrayList<>();
         for (FollowedBody one : tracking.followed()) {
             BodyEstimate track = one.track();
-            rows.add(List.of(one.channel().toString(), one.recipe().method().word(),
+            rows.add(List.of(one.channel().toString(), one.design().method().word(),
                     one.stands() ? modes(track, m -> track.frequency(m), m -> track.frequencyDeviation(m)) : "–",
                     one.stands() ? modes(track, m -> track.damping(m), m -> track.dampingDeviation(m)) : "–",
                     Digits.significant(one.meanSquareError(), 3), Digits.significant(100 * Math.sqrt(one.relativeError()), 3),
@@ -108,7 +108,7 @@ public final class TrackingPage {
                     one -> one.outlines().get(mode).dampingDeviation()).marked(changes).grouped("time"));
         }
         charts.add(new LineChart("Output less prediction", ChartAxis.linear("Time", "s"),
-                ChartAxis.linear("Error", output.quantity().unit()), those.stream().map(one -> Series.envelope(one.recipe().method().word(),
+                ChartAxis.linear("Error", output.quantity().unit()), those.stream().map(one -> Series.envelope(one.design().method().word(),
                         one.residual(), start, 1 / rate)).toList())
                 .grouped("time"));
         return new Section(output.toString(),
@@ -129,7 +129,7 @@ public final class TrackingPage {
             double[] y = IntStream.range(0, outline.size()).mapToDouble(outline::mean).toArray();
             double[] sd = IntStream.range(0, outline.size()).mapToDouble(deviation.apply(one)::mean).toArray();
             double[] x = IntStream.range(0, outline.size()).mapToDouble(i -> start + outline.centre(i) / rate).toArray();
-            series.add(Series.line(one.recipe().method().word(), x, y).with(Band.deviations(y, sd, 2, "±2σ")));
+            series.add(Series.line(one.design().method().word(), x, y).with(Band.deviations(y, sd, 2, "±2σ")));
         }
         return new LineChart(title, ChartAxis.linear("Time", "s"), ChartAxis.linear(title, unit), series);
     }
@@ -140,7 +140,7 @@ public final class TrackingPage {
         List<Block> charts = new ArrayList<>();
         for (Channel output : tracking.outputs()) {
             charts.add(new LineChart(tracking.input() + " to " + output, ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Modulus", "1"),
-                    of(output).stream().map(one -> Series.line(one.recipe().method().word(), f,
+                    of(output).stream().map(one -> Series.line(one.design().method().word(), f,
                             Arrays.stream(f).map(one::modulus).toArray())).toList()));
         }
         return new Section("Transmissibility", "Of the bodies that the estimators ended with.", charts);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import wbv.filter.model.Adaptation;
 
 class EvidenceTestTest {
 
@@ -20,7 +21,7 @@ class EvidenceTestTest {
     @Test
     void itRingsFalselyOnceInADayAtMost() {
         int rung = 0;
-        EvidenceTest test = new EvidenceTest(RATE);
+        EvidenceTest test = new EvidenceTest(RATE, Adaptation.USUAL.changes());
         Random random = new Random(1);
         for (int i = 0; i < 50 * 3600 * RATE; i++) {
             if (test.hear(gain(random.nextGaussian(), 0.5))) {
@@ -37,7 +38,7 @@ class EvidenceTestTest {
         Random random = new Random(2);
         double sum = 0;
         for (int run = 0; run < 200; run++) {
-            EvidenceTest test = new EvidenceTest(RATE);
+            EvidenceTest test = new EvidenceTest(RATE, Adaptation.USUAL.changes());
             int n = 1;
             while (!test.hear(gain(0.5 + random.nextGaussian(), 0.5))) {
                 n++;
@@ -50,7 +51,7 @@ class EvidenceTestTest {
 
     @Test
     void noSingleSampleIsAChange() {
-        EvidenceTest test = new EvidenceTest(RATE);
+        EvidenceTest test = new EvidenceTest(RATE, Adaptation.USUAL.changes());
         assertFalse(test.hear(1e9) || test.hear(1e9) || test.hear(1e9));
     }
 }

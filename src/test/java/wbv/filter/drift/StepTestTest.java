@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import wbv.filter.model.Adaptation;
 
 class StepTestTest {
 
@@ -12,7 +13,7 @@ class StepTestTest {
 
     /** Samples until it rings at innovations of this mean share of the slope, or as many as there are. */
     private static int delay(double step, int samples, long seed) {
-        StepTest test = new StepTest();
+        StepTest test = new StepTest(Adaptation.USUAL.changes());
         Random random = new Random(seed);
         for (int i = 0; i < samples; i++) {
             double slope = SLOPE * random.nextGaussian();
@@ -42,7 +43,7 @@ class StepTestTest {
 
     @Test
     void aShockIsNoStep() {
-        StepTest test = new StepTest();
+        StepTest test = new StepTest(Adaptation.USUAL.changes());
         for (int i = 0; i < 8; i++) {
             assertTrue(!test.hear(1e9, 1e6), "rings at sample " + i);
         }
