@@ -292,6 +292,61 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
         }
     }
 
+    /** The same but for what is believed before the first sample. */
+    public Adaptation with(Prior other) {
+        return new Adaptation(other, information, noise, wandering, watch, changes, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for when samples tell. */
+    public Adaptation with(Information other) {
+        return new Adaptation(prior, other, noise, wandering, watch, changes, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for how what is not explained is learned. */
+    public Adaptation with(Noise other) {
+        return new Adaptation(prior, information, other, wandering, watch, changes, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for how parameters may move. */
+    public Adaptation with(Wandering other) {
+        return new Adaptation(prior, information, noise, other, watch, changes, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for when innovations are as expected. */
+    public Adaptation with(Watch other) {
+        return new Adaptation(prior, information, noise, wandering, other, changes, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for when a body has changed. */
+    public Adaptation with(Changes other) {
+        return new Adaptation(prior, information, noise, wandering, watch, other, scatter, restart, particles, fusion, others);
+    }
+
+    /** The same but for how an estimate scatters. */
+    public Adaptation with(Scatter other) {
+        return new Adaptation(prior, information, noise, wandering, watch, changes, other, restart, particles, fusion, others);
+    }
+
+    /** The same but for when an estimate begins anew. */
+    public Adaptation with(Restart other) {
+        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, other, particles, fusion, others);
+    }
+
+    /** The same but for a particle filter. */
+    public Adaptation with(Particles other) {
+        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, other, fusion, others);
+    }
+
+    /** The same but for several estimators. */
+    public Adaptation with(Fusion other) {
+        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, particles, other, others);
+    }
+
+    /** The same but for other motions of the base. */
+    public Adaptation with(Others other) {
+        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, particles, fusion, other);
+    }
+
     private static void positive(String group, double... values) {
         for (double value : values) {
             above(group + "'s numbers", value, 0);
