@@ -2,8 +2,9 @@ package wbv.identify;
 
 /**
  * Transfer function of a body of one or two modes on a shaken base, and its slopes: {@code H = H₁}, or {@code H = g H₁ + (1 - g) H₂
- * + h (C₁ - C₂)}, with {@code H_m = (d s + k)/(s² + d s + k)}, {@code C_m = ω s/(s² + d s + k)}, {@code d = 2ζω}, {@code k =
- * ω²}. At rest it is 1: the body follows its base. Any output of a chain or fork of two masses has the second form.
+ * + h (C₁ - C₂)}, with {@code H_m = (d s + k)/(s² + d s + k)}, {@code C_m = k s/(s² + d s + k)/ω₀},
+ * {@code d = 2ζω}, {@code k = ω²}. It is 1 + O(s²): the body follows its base at rest and in slow motion. Any output of a chain or fork of
+ * two masses has the second form.
  *
  * <p>Parameters: ln ω, ln ζ of the first mode; then of the second, g and h. A body of one mode of whose damping a share κ acts
  * against the base and the rest against rest, {@code (κ d s + k)/(s² + d s + k)}, has ln ω, ln ζ, κ.
@@ -13,6 +14,8 @@ final class ModalBody {
     static final int ONE = 2;
     static final int TWO = 6;
     static final int SKYHOOK = 3;
+    /** ω₀, by which h has no unit [rad/s]: that of a seated body. */
+    private static final double REFERENCE = 2 * Math.PI * 5;
     private static final double LEAST_FREQUENCY = 0.05;
     private static final double LEAST_DAMPING = 1e-4;
     private static final double MOST_DAMPING = 100;
@@ -129,7 +132,7 @@ final class ModalBody {
         double w = Math.exp(theta[2 * m]);
         double k = w * w;
         double d = 2 * Math.exp(theta[2 * m + 1]) * w * omega;
-        double c = w * omega;
+        double c = k * omega / REFERENCE;
         // numerator n = share (k + j d) + cross j c over the denominator (k - ω²) + j d
         double nRe = share * k;
         double nIm = share * d + cross * c;
@@ -139,8 +142,8 @@ final class ModalBody {
         double hIm = (nIm * dRe - nRe * d) / size;
         re[0] = hRe;
         im[0] = hIm;
-        // to ln ω: n' = share (2k + j d) + cross j c, D' = 2k + j d; to ln ζ: n' = share j d, D' = j d
-        quotient(1 + at, share * 2 * k - (hRe * 2 * k - hIm * d), share * d + cross * c - (hRe * d + hIm * 2 * k), dRe, d, size);
+        // to ln ω: n' = share (2k + j d) + cross 2 j c, D' = 2k + j d; to ln ζ: n' = share j d, D' = j d
+        quotient(1 + at, share * 2 * k - (hRe * 2 * k - hIm * d), share * d + cross * 2 * c - (hRe * d + hIm * 2 * k), dRe, d, size);
         quotient(2 + at, hIm * d, share * d - hRe * d, dRe, d, size);
         if (modes == 2) {
             quotient(1 + SHARE, k, d, dRe, d, size);
