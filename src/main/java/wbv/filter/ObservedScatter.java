@@ -1,8 +1,6 @@
 package wbv.filter;
 
 import java.io.Serializable;
-import org.apache.commons.math3.distribution.NormalDistribution;
-import org.apache.commons.math3.distribution.TDistribution;
 import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
@@ -13,31 +11,23 @@ import wbv.snapshot.StateWriter;
  * real body does beside one mode follows itself for seconds and knows the input, so that corrections add up where the filter
  * counts on their cancelling.
  *
- * <p>Over a batch of some seconds the move D of a parameter and the factor C by which the filter forgets its error are known. The
- * error goes as {@code e ← C e + D'}, so that a filter that is right has {@code P' = C² P + W}, W what the noise of the batch moved, and
- * {@code E[D²] = (1 - C)² P + W}. That D² is λ times that, in the mean of the last batches, says that noise moves the estimate by λ W:
- * of the filter's variance the part A that is left of what was not known at first counts once, the rest λ times. What the filter expected
- * to learn is no scatter, so that the seconds in which a body is found count as any other. λ is one at least, and raised by the square of
- * Student's quantile over the normal one, since it is the mean of few (batch means; the recursive form of White's sandwich, Econometrica
- * 50, 1982).
+ * <p>Over a batch of some seconds the moves D of a parameter and the factor C by which the filter forgets its error are known.
+ * The error goes as {@code e ← C e + D'}, so that {@code V ← C² V + m}, where m is the mean of {@code D²} over the last batches.
+ * With white innovations of the expected size V stays below the filter's own variance; sums over batches count their
+ * correlation whatever its shape (batch means; the recursive form of White's sandwich, Econometrica 50, 1982). While a filter
+ * is still learning, its gains shrink, and m is too large rather than too small.
  */
 final class ObservedScatter implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 2;
-    /** Square of Student's quantile of 97.5 % over the normal one, by degrees of freedom; the last for all above. */
-    private static final double[] STUDENT = student(100);
-    /** Version of saved states from which on they hold λ; before it was the mean of D². */
-    private static final int WITH_RATIO = 3;
+    private static final long serialVersionUID = 1;
 
     private final int length;
     private final double memory;
-    /** A. */
-    private double prior;
-    private double begun;
+    private double variance;
     private double sum;
     private double left;
     private int samples;
-    private double ratio;
+    private double mean;
     private double batches;
     private double own;
 
@@ -47,27 +37,16 @@ final class ObservedScatter implements Serializable, Snapshot {
         this.memory = spec.adaptation().scatter().batches();
     }
 
-    private static double[] student(int most) {
-        double normal = new NormalDistribution(null, 0, 1).inverseCumulativeProbability(0.975);
-        double[] factors = new double[most + 1];
-        for (int k = 1; k <= most; k++) {
-            double t = new TDistribution(null, k).inverseCumulativeProbability(0.975);
-            factors[k] = t * t / (normal * normal);
-        }
-        return factors;
-    }
-
     /** The parameter is known this well, and nothing of how it scatters. */
     void restart(double known) {
-        prior = known;
+        variance = known;
         own = known;
-        ratio = 0;
+        mean = 0;
         batches = 0;
         begin();
     }
 
     private void begin() {
-        begun = own;
         sum = 0;
         left = 1;
         samples = 0;
@@ -91,13 +70,9 @@ final class ObservedScatter implements Serializable, Snapshot {
         if (samples < length) {
             return;
         }
-        double forgotten = left * left;
-        double expected = (1 - left) * (1 - left) * begun + Math.max(0, after - forgotten * begun);
-        if (expected > 0) {
-            batches++;
-            ratio += (sum * sum / expected - ratio) / Math.min(batches, memory);
-            prior *= forgotten;
-        }
+        batches++;
+        mean += (sum * sum - mean) / Math.min(batches, memory);
+        variance = left * left * variance + mean;
         begin();
     }
 
@@ -107,53 +82,38 @@ final class ObservedScatter implements Serializable, Snapshot {
      * @param now the filter's variance
      */
     void miss(double now) {
-        double drifted = Math.max(0, now - own);
-        prior += drifted;
-        begun += drifted;
+        variance += Math.max(0, now - own);
         own = now;
     }
 
     /**
-     * Variance of the parameter: what was known of it until a batch has told how it scatters.
+     * Variance of the parameter.
      *
-     * @param filters the filter's own, the least that it can be
+     * @param filters the filter's own, which counts if it is more
      */
     double variance(double filters) {
-        if (batches == 0) {
-            return Math.max(filters, prior);
-        }
-        double student = STUDENT[(int) Math.min(Math.min(batches, memory), STUDENT.length - 1)];
-        double more = Math.max(1, student * ratio) - 1;
-        return filters + more * Math.max(0, filters - left * left * prior);
+        return Math.max(filters, variance);
     }
 
     @Override
     public void save(StateWriter out) {
-        out.put(prior);
-        out.put(begun);
+        out.put(variance);
         out.put(sum);
         out.put(left);
         out.put(samples);
-        out.put(ratio);
+        out.put(mean);
         out.put(batches);
         out.put(own);
     }
 
     @Override
     public void load(StateReader in) {
-        boolean told = in.version() >= WITH_RATIO;
-        prior = in.number();
-        begun = told ? in.number() : 0;
+        variance = in.number();
         sum = in.number();
         left = in.number();
         samples = in.integer();
-        ratio = in.number();
+        mean = in.number();
         batches = in.number();
         own = in.number();
-        if (!told) { // how it scatters is found anew
-            ratio = 0;
-            batches = 0;
-            begin();
-        }
     }
 }

@@ -34,10 +34,6 @@ class GoldenStatesTest {
      * Of exposure that was begun at 840 Hz and is gone on with at 120 Hz, of which a quarter of a second more of 20 s is known at a moment.
      */
     private static final double WEIGHTED_OTHERWISE = 0.02;
-    /** Version of saved states from which on deviations go by what noise moved; with those before, it is found anew. */
-    private static final int WITH_RATIO = 3;
-    /** Place of the frequency's deviation in what is told of an estimator. */
-    private static final List<Integer> DEVIATION = List.of(2);
     /** Places of what is told of a seat's exposure. */
     private static final List<Integer> EXPOSURE = List.of(4, 5, 6);
 
@@ -95,27 +91,29 @@ class GoldenStatesTest {
                         Estimator estimator = EstimatorState.read(file.toString(), Files.readAllBytes(file), Adwin::new);
                         assertEquals(design, estimator.design());
                         feed(estimator, SAVED, SAVED + GOES_ON);
-                        near(Files.readString(folder.resolve(name(design) + ".txt")), said(estimator.track()),
-                                version < WITH_RATIO ? DEVIATION : List.of());
+                        near(Files.readString(folder.resolve(name(design) + ".txt")), said(estimator.track()));
                     }));
             return Stream.concat(estimators, Stream.of(DynamicTest.dynamicTest(folder.resolve("seat").toString(), () -> {
                 Path file = folder.resolve("seat.state");
                 Seat seat = seat();
                 StateReader.into(seat, file.toString(), Files.readAllBytes(file));
-                near(Files.readString(folder.resolve("seat.txt")), feed(seat, SAVED, SAVED + GOES_ON),
-                        version == 1 ? List.of(3, 4, 5, 6) : version < WITH_RATIO ? List.of(3) : List.of());
+                near(Files.readString(folder.resolve("seat.txt")), feed(seat, SAVED, SAVED + GOES_ON), version == 1);
             })));
         });
     }
 
-    /** @param otherwise places of what was found in another way before */
-    private static void near(String expected, String actual, List<Integer> otherwise) {
+    private static void near(String expected, String actual) {
+        near(expected, actual, false);
+    }
+
+    /** @param otherwise whether exposure was weighted otherwise before */
+    private static void near(String expected, String actual, boolean otherwise) {
         String[] one = expected.trim().split(" ");
         String[] other = actual.split(" ");
         assertEquals(one.length, other.length);
         for (int i = 0; i < one.length; i++) {
             double value = Double.parseDouble(one[i]);
-            double tolerance = !otherwise.contains(i) ? ROUNDING : EXPOSURE.contains(i) ? WEIGHTED_OTHERWISE : Math.abs(value);
+            double tolerance = otherwise && EXPOSURE.contains(i) ? WEIGHTED_OTHERWISE : ROUNDING;
             assertEquals(value, Double.parseDouble(other[i]), tolerance * Math.max(1, Math.abs(value)), expected + " and " + actual);
         }
     }

@@ -193,6 +193,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
 
         public Scatter {
             positive("scatter", batch, batches);
+            notNegative("scatter.batches - 1", batches - 1);
         }
     }
 
