@@ -140,14 +140,14 @@ public final class BodyEstimate implements Serializable, Snapshot {
      * @param number of modes
      * @param first  what the slower contributes at rest [1]
      * @param noise  standard deviation that nothing explains [output's unit]
-     * @param found  whether the alarm listens
+     * @param hears  whether the alarm listens
      * @param window of the alarm, in samples
      */
-    void stand(int number, double first, double noise, boolean found, long window) {
+    void stand(int number, double first, double noise, boolean hears, long window) {
         modes = number;
         share = first;
         outputNoise = noise;
-        settled = found;
+        settled = hears;
         width = window;
     }
 

@@ -50,7 +50,7 @@ sealed class JointFilter implements BodyFilter permits TextbookFilter {
     private final BoundProjection projection;
 
     /** What the variance of a parameter of which nothing is learned grows by in a sample. */
-    private final double resting;
+    final double resting;
     private final double[] x;
     private final double[] p;
     private final boolean[] free;

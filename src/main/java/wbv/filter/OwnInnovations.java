@@ -19,6 +19,9 @@ final class OwnInnovations implements ChangeTests {
     private final Adaptation.Changes settings;
     private final double rate;
     private final StepTest step;
+    /** Of a sample's log likelihood ratio: what ν²/S counts, and what a larger variance costs. */
+    private final double share;
+    private final double cost;
     private double sum;
 
     /** @param spec rate and adaptation */
@@ -26,6 +29,8 @@ final class OwnInnovations implements ChangeTests {
         this.settings = spec.adaptation().changes();
         this.rate = spec.rate();
         this.step = new StepTest(settings);
+        this.share = 1 - 1 / settings.larger();
+        this.cost = Math.log(settings.larger());
     }
 
     @Override
@@ -52,7 +57,7 @@ final class OwnInnovations implements ChangeTests {
     /** What a body of another kind leaves is no noise: it says nothing of a step. */
     @Override
     public ChangeTest hear(double nis, double normalised, double slope, OutputNoise noise) {
-        sum = Math.max(0, sum + 0.5 * (Math.min(nis, settings.mostInSum()) * (1 - 1 / settings.larger()) - Math.log(settings.larger())));
+        sum = Math.max(0, sum + 0.5 * (Math.min(nis, settings.mostInSum()) * share - cost));
         boolean stepped = step.hear(normalised, noise.explainsLittle() ? 0 : slope);
         return stepped ? ChangeTest.STEP : sum > settings.largestSum() * rate ? ChangeTest.VARIANCE : ChangeTest.NONE;
     }

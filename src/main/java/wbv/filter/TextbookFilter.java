@@ -11,15 +11,12 @@ final class TextbookFilter extends JointFilter {
 
     private static final long serialVersionUID = 1;
 
-    private final double wandering;
-
     /**
      * @param model       with slopes; set by this filter
      * @param offsetDecay what is left of the sensors' offset after one sample
      */
     TextbookFilter(Spec spec, BodyModel model, double offsetDecay) {
         super(spec, model, Linearised.of(model, offsetDecay), offsetDecay);
-        this.wandering = spec.drift() * spec.drift() / spec.rate();
     }
 
     @Override
@@ -29,7 +26,7 @@ final class TextbookFilter extends JointFilter {
 
     @Override
     double wandering(int parameter) {
-        return wandering;
+        return resting;
     }
 
     @Override

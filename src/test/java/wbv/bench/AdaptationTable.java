@@ -1,6 +1,5 @@
 package wbv.bench;
 
-import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
@@ -50,10 +49,13 @@ public final class AdaptationTable {
     /** Standard errors beyond which a difference is shown: of 800 without any, two are. */
     private static final double ERRORS = 3;
 
-    private static final Map<Integer, List<Ride>> RIDES = new HashMap<>();
-    private static final Map<List<Object>, List<Outcome>> USUAL = new HashMap<>();
+    private final int sitters;
+    private final Map<Integer, List<Ride>> rides = new HashMap<>();
+    private final Map<List<Object>, List<Outcome>> usually = new HashMap<>();
 
-    private AdaptationTable() {}
+    private AdaptationTable(int sitters) {
+        this.sitters = sitters;
+    }
 
     /** One sitter in one kind of ride. */
     private record Ride(SimulatedSitter sitter, DoubleUnaryOperator stiffness, boolean changes, double[] u, double[] other, double[] y,
@@ -68,7 +70,7 @@ public final class AdaptationTable {
     }
 
     public static void main(String[] words) throws ReflectiveOperationException {
-        int sitters = Integer.parseInt(words[0]);
+        AdaptationTable table = new AdaptationTable(Integer.parseInt(words[0]));
         List<String> groups = Arrays.asList(words).subList(1, words.length);
         System.out.println(
                 "| number | value | by | error of f0 | error of ζ | error over deviation | changes heard | false alarms an hour |");
@@ -76,13 +78,13 @@ public final class AdaptationTable {
         for (RecordComponent group : Adaptation.class.getRecordComponents()) {
             if (groups.isEmpty() || groups.contains(group.getName())) {
                 for (RecordComponent each : group.getType().getRecordComponents()) {
-                    row(group, each, sitters);
+                    table.row(group, each);
                 }
             }
         }
     }
 
-    private static void row(RecordComponent group, RecordComponent each, int sitters) throws ReflectiveOperationException {
+    private void row(RecordComponent group, RecordComponent each) throws ReflectiveOperationException {
         String name = group.getName() + "." + each.getName();
         Method method = group.getName().equals("particles") ? Method.PARTICLE : group.getName().equals("fusion") ? Method.FUSED
                 : OWN_INNOVATIONS.contains(name) ? Method.UNSCENTED : Method.EKF_ADWIN;
@@ -90,16 +92,16 @@ public final class AdaptationTable {
         int degrees = name.equals("prior.apart") || name.equals("prior.firstsShare") ? 2 : 1;
         int number = slow ? Math.max(2, sitters / 6) : sitters;
         boolean other = group.getName().equals("others");
-        List<Ride> rides = RIDES.computeIfAbsent(other ? -number : number, key -> rides(number, other));
-        List<Outcome> usual = USUAL.computeIfAbsent(List.of(method, degrees, number, other),
+        List<Ride> those = rides.computeIfAbsent(other ? -number : number, key -> rides(number, other));
+        List<Outcome> usual = usually.computeIfAbsent(List.of(method, degrees, number, other),
                 key -> {
-                    List<Outcome> all = outcomes(rides, method, degrees, Adaptation.USUAL);
+                    List<Outcome> all = outcomes(those, method, degrees, Adaptation.USUAL);
                     level(key, all);
                     return all;
                 });
         List<Optional<List<Outcome>>> varied = new ArrayList<>();
         for (double factor : new double[] {0.5, 2}) {
-            varied.add(with(group, each, factor).map(adaptation -> outcomes(rides, method, degrees, adaptation)));
+            varied.add(with(group, each, factor).map(adaptation -> outcomes(those, method, degrees, adaptation)));
         }
         Object value = each.getAccessor().invoke(group.getAccessor().invoke(Adaptation.USUAL));
         StringBuilder line = new StringBuilder("| " + name + " | " + value + " | " + method.word() + " |");
@@ -222,7 +224,7 @@ public final class AdaptationTable {
             String name = group.getName() + "." + each.getName();
             Object part = varied(group.getAccessor().invoke(Adaptation.USUAL), each.getName(), value -> NEAR_ONE.contains(name)
                     ? 1 - (1 - value) * factor : FACTORS.contains(name) ? Math.pow(value, factor) : value * factor);
-            return Optional.of((Adaptation) rebuilt(Adaptation.USUAL, group.getName(), part));
+            return Optional.of(Adaptation.USUAL.with((Adaptation.Part) part));
         } catch (InvocationTargetException refused) {
             if (refused.getCause() instanceof IllegalArgumentException) {
                 return Optional.empty();
@@ -231,25 +233,16 @@ public final class AdaptationTable {
         }
     }
 
+    /** A record with one of its numbers changed. */
     private static Object varied(Object part, String name, DoubleUnaryOperator by) throws ReflectiveOperationException {
-        for (RecordComponent each : part.getClass().getRecordComponents()) {
-            if (each.getName().equals(name)) {
-                Number value = (Number) each.getAccessor().invoke(part);
-                double other = by.applyAsDouble(value.doubleValue());
-                return rebuilt(part, name, value instanceof Long ? (Object) Math.round(other) : (Object) other);
-            }
-        }
-        throw new IllegalArgumentException("no number " + name);
-    }
-
-    private static Object rebuilt(Object whole, String name, Object part) throws ReflectiveOperationException {
-        RecordComponent[] components = whole.getClass().getRecordComponents();
+        RecordComponent[] components = part.getClass().getRecordComponents();
         Object[] values = new Object[components.length];
         for (int i = 0; i < values.length; i++) {
-            values[i] = components[i].getName().equals(name) ? part : components[i].getAccessor().invoke(whole);
+            Number value = (Number) components[i].getAccessor().invoke(part);
+            double other = components[i].getName().equals(name) ? by.applyAsDouble(value.doubleValue()) : value.doubleValue();
+            values[i] = value instanceof Long ? (Object) Math.round(other) : (Object) other;
         }
-        Constructor<?> constructor = whole.getClass().getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType)
-                .toArray(Class[]::new));
-        return constructor.newInstance(values);
+        return part.getClass().getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class[]::new))
+                .newInstance(values);
     }
 }

@@ -23,6 +23,9 @@ import org.apache.commons.math3.special.Erf;
 public record Adaptation(Prior prior, Information information, Noise noise, Wandering wandering, Watch watch, Changes changes,
         Scatter scatter, Restart restart, Particles particles, Fusion fusion, Others others) implements Serializable {
 
+    /** What belongs together of these numbers. */
+    public sealed interface Part extends Serializable {}
+
     /** The numbers that are used where nobody says otherwise. */
     public static final Adaptation USUAL = new Adaptation(new Prior(0.5, 1, 1, 2, 0.8), new Information(0.1, 0.5, 2, 1, 1, 5),
             new Noise(2, 1, 0.5, 10, 0.25, 25, 1, 3, 0.01, 0.1, 0.08, 0.9, 5, 1), new Wandering(0.5, 0.1, 60, 0.25, 10, 300, 3, 2, 4),
@@ -39,7 +42,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param apart       frequency at which a second mode starts, over the first's [1]: a head on a torso
      * @param firstsShare of the output that the first of two modes starts with [1]
      */
-    public record Prior(double parameters, double motion, double offset, double apart, double firstsShare) implements Serializable {
+    public record Prior(double parameters, double motion, double offset, double apart, double firstsShare) implements Part {
 
         public Prior {
             positive("prior", parameters, motion, offset, firstsShare);
@@ -59,7 +62,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param inputMemory       of the power that an input sample that is missing may have had [s]
      */
     public record Information(double corner, double excitationMemory, double excited, double sensitivityMemory, double sensitive,
-            double inputMemory) implements Serializable {
+            double inputMemory) implements Part {
 
         public Information {
             positive("information", corner, excitationMemory, excited, sensitivityMemory, sensitive, inputMemory);
@@ -87,7 +90,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      */
     public record Noise(double trial, double powerMemory, double shortestMemory, double longestMemory, double growth,
             double largestSurprise, double latelyMemory, double mostAboveLately, double visible, double doubt, double little,
-            double mostCorrelation, double mostBelieved, double underweight) implements Serializable {
+            double mostCorrelation, double mostBelieved, double underweight) implements Part {
 
         public Noise {
             positive("noise", trial, powerMemory, shortestMemory, longestMemory, growth, largestSurprise, latelyMemory, visible, doubt,
@@ -114,7 +117,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param mostSurprise   ν²/S that counts as this at most there [1], since a few large ones are a change
      */
     public record Wandering(double share, double most, long shortest, double change, double ratio, double longest, double clear,
-            double surpriseMemory, double mostSurprise) implements Serializable {
+            double surpriseMemory, double mostSurprise) implements Part {
 
         public Wandering {
             notNegative("wandering.share", share);
@@ -144,7 +147,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param longestUseless  time for which innovations may be as large as the output itself [s]
      */
     public record Watch(double settling, double memory, double longMemory, double leastConsistent, double steady, double mostConsistent,
-            double hopeless, double mostCounted, double longestUseless) implements Serializable {
+            double hopeless, double mostCounted, double longestUseless) implements Part {
 
         public Watch {
             positive("watch", settling, memory, longMemory, leastConsistent, steady, mostConsistent, hopeless, mostCounted,
@@ -172,7 +175,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      *                      1 and 15 Hz, 13 were heard to change, the last after 6.6 s
      */
     public record Changes(double larger, double mostInSum, double largestSum, double step, double stepEvidence, double mostDeviation,
-            double mostAtOnce, double apart, double leastSamples, double likelyOdds, double finding) implements Serializable {
+            double mostAtOnce, double apart, double leastSamples, double likelyOdds, double finding) implements Part {
 
         public Changes {
             above("changes.larger", larger, 1);
@@ -189,7 +192,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param batch   over which moves are summed [s]: some tens of a seated body's memories
      * @param batches whose mean is kept [1]
      */
-    public record Scatter(double batch, double batches) implements Serializable {
+    public record Scatter(double batch, double batches) implements Part {
 
         public Scatter {
             positive("scatter", batch, batches);
@@ -209,7 +212,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param elsewhereAgain          and when the second does [Hz]; the last one found stays
      */
     public record Restart(double patience, double patienceAfterDivergence, double longestPatience, double longestGap,
-            double longestWait, double elsewhere, double elsewhereAgain) implements Serializable {
+            double longestWait, double elsewhere, double elsewhereAgain) implements Part {
 
         public Restart {
             positive("restart", patience, patienceAfterDivergence, longestPatience, longestGap, longestWait, elsewhere, elsewhereAgain);
@@ -229,7 +232,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param heaviest           and at most [1]
      */
     public record Particles(double discount, double impossible, double longestImpossible, double anywhere, double lowest,
-            double highest, double lightest, double heaviest) implements Serializable {
+            double highest, double lightest, double heaviest) implements Part {
 
         public Particles {
             share("particles.discount", discount);
@@ -263,7 +266,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param oneChange     time within which alarms are one [s]
      */
     public record Fusion(double memory, double far, double longestBehind, double grace, double seedDeviation, double lowest,
-            double highest, double lightest, double heaviest, double heard, double trust, double oneChange) implements Serializable {
+            double highest, double lightest, double heaviest, double heard, double trust, double oneChange) implements Part {
 
         public Fusion {
             positive("fusion", memory, far, longestBehind, grace, seedDeviation, lowest, lightest, trust, oneChange);
@@ -286,66 +289,26 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
      * @param startOwn        the same of the estimator's own input, which may claim more [1]
      */
     public record Others(double decay, double memory, double measuring, double disturbed, double noiseMemory, double largestSurprise,
-            double start, double startOwn) implements Serializable {
+            double start, double startOwn) implements Part {
 
         public Others {
             positive("others", decay, memory, measuring, disturbed, noiseMemory, largestSurprise, start, startOwn);
         }
     }
 
-    /** The same but for what is believed before the first sample. */
-    public Adaptation with(Prior other) {
-        return new Adaptation(other, information, noise, wandering, watch, changes, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for when samples tell. */
-    public Adaptation with(Information other) {
-        return new Adaptation(prior, other, noise, wandering, watch, changes, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for how what is not explained is learned. */
-    public Adaptation with(Noise other) {
-        return new Adaptation(prior, information, other, wandering, watch, changes, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for how parameters may move. */
-    public Adaptation with(Wandering other) {
-        return new Adaptation(prior, information, noise, other, watch, changes, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for when innovations are as expected. */
-    public Adaptation with(Watch other) {
-        return new Adaptation(prior, information, noise, wandering, other, changes, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for when a body has changed. */
-    public Adaptation with(Changes other) {
-        return new Adaptation(prior, information, noise, wandering, watch, other, scatter, restart, particles, fusion, others);
-    }
-
-    /** The same but for how an estimate scatters. */
-    public Adaptation with(Scatter other) {
-        return new Adaptation(prior, information, noise, wandering, watch, changes, other, restart, particles, fusion, others);
-    }
-
-    /** The same but for when an estimate begins anew. */
-    public Adaptation with(Restart other) {
-        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, other, particles, fusion, others);
-    }
-
-    /** The same but for a particle filter. */
-    public Adaptation with(Particles other) {
-        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, other, fusion, others);
-    }
-
-    /** The same but for several estimators. */
-    public Adaptation with(Fusion other) {
-        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, particles, other, others);
-    }
-
-    /** The same but for other motions of the base. */
-    public Adaptation with(Others other) {
-        return new Adaptation(prior, information, noise, wandering, watch, changes, scatter, restart, particles, fusion, other);
+    /** The same but for one part of it. */
+    public Adaptation with(Part part) {
+        return new Adaptation(part instanceof Prior other ? other : prior,
+                part instanceof Information other ? other : information,
+                part instanceof Noise other ? other : noise,
+                part instanceof Wandering other ? other : wandering,
+                part instanceof Watch other ? other : watch,
+                part instanceof Changes other ? other : changes,
+                part instanceof Scatter other ? other : scatter,
+                part instanceof Restart other ? other : restart,
+                part instanceof Particles other ? other : particles,
+                part instanceof Fusion other ? other : fusion,
+                part instanceof Others other ? other : others);
     }
 
     private static void positive(String group, double... values) {

@@ -205,7 +205,7 @@ final class ParquetSignals implements SignalFile {
 
     @Override
     public Map<String, String> notes() {
-        return Map.copyOf(notes);
+        return notes;
     }
 
     @Override

@@ -33,6 +33,14 @@ class AdaptationTest {
         assertEquals(Adaptation.USUAL, other.with(Adaptation.USUAL.scatter()));
     }
 
+    @Test
+    void everyPartIsPutWhereItBelongs() throws ReflectiveOperationException {
+        for (RecordComponent group : Adaptation.class.getRecordComponents()) {
+            Adaptation.Part part = (Adaptation.Part) group.getAccessor().invoke(Adaptation.USUAL);
+            assertEquals(Adaptation.USUAL, Adaptation.USUAL.with(part), group.getName());
+        }
+    }
+
     /** Estimators are made of the numbers that they are given: with a wide prior the deviation starts wide. */
     @Test
     void anEstimatorAdaptsByWhatItIsGiven() {
