@@ -20,23 +20,58 @@ enum { POINTS = 8, LATENCY = 3, N = 5, STATES = 2, PARAMETERS = 2, OFFSET = 4, H
 static const double RATE = 60, START_FREQUENCY = 5, START_DAMPING = 0.4, DRIFT = 0.003;
 static double noise, reference, decay;
 
-/* ---- input between samples: Lagrange polynomials over 2 to 8 samples ---- */
+/* ---- input between samples: polynomials of 2 to 8 samples, least wrong over frequencies up to a quarter of the rate ---- */
 
-static double lagrange[LATENCY + 1][POINTS][POINTS];
+static double between[LATENCY + 1][POINTS][POINTS];
 
-static void make_lagrange(void) {
+static double mean_product(double apart) {
+    double x = 2 * M_PI * 0.25 * apart;
+    return x == 0 ? 1 : sin(x) / x;
+}
+
+/* a x = b for columns of b, n by n and n by columns, in place: Gauss with pivots */
+static void solve(int n, int columns, double a[POINTS + 1][POINTS + 1], double b[POINTS + 1][POINTS + 1]) {
+    for (int k = 0; k < n; k++) {
+        int pivot = k;
+        for (int i = k + 1; i < n; i++) if (fabs(a[i][k]) > fabs(a[pivot][k])) pivot = i;
+        for (int j = 0; j < n; j++) { double t = a[k][j]; a[k][j] = a[pivot][j]; a[pivot][j] = t; }
+        for (int j = 0; j < columns; j++) { double t = b[k][j]; b[k][j] = b[pivot][j]; b[pivot][j] = t; }
+        for (int i = k + 1; i < n; i++) {
+            double f = a[i][k] / a[k][k];
+            for (int j = k; j < n; j++) a[i][j] -= f * a[k][j];
+            for (int j = 0; j < columns; j++) b[i][j] -= f * b[k][j];
+        }
+    }
+    for (int k = n - 1; k >= 0; k--) {
+        for (int j = 0; j < columns; j++) {
+            for (int i = k + 1; i < n; i++) b[k][j] -= a[k][i] * b[i][j];
+            b[k][j] /= a[k][k];
+        }
+    }
+}
+
+static void make_between(void) {
     for (int m = 1; m <= LATENCY + 1; m++) {
-        for (int i = 0; i < 2 * m; i++) {
-            double product[POINTS + 1] = {1};
-            int degree = 0, own = i - m + 1;
-            for (int node = -m + 1; node <= m; node++) {
-                if (node == own) continue;
-                for (int j = degree + 1; j >= 0; j--) {
-                    product[j] = ((j > 0 ? product[j - 1] : 0) - node * product[j]) / (own - node);
-                }
-                degree++;
-            }
-            for (int j = 0; j < 2 * m; j++) lagrange[m - 1][j][i] = product[j];
+        int points = 2 * m;
+        double mean[POINTS + 1][POINTS + 1] = {{0}}, there[POINTS + 1][POINTS + 1], powers[POINTS + 1][POINTS + 1];
+        double weights[POINTS + 1][POINTS + 1];
+        for (int i = 0; i < points; i++) {
+            for (int k = 0; k < points; k++) mean[i][k] = mean_product(i - k);
+            mean[i][points] = mean[points][i] = 1;
+        }
+        for (int k = 0; k < points; k++) {
+            double s = 0.5 - 0.5 * cos(M_PI * (k + 0.5) / points);
+            for (int i = 0; i < points; i++) there[i][k] = mean_product(s - (i - m + 1));
+            there[points][k] = 1;
+            for (int j = 0; j < points; j++) powers[k][j] = pow(s, j);
+        }
+        solve(points + 1, points, mean, there);
+        for (int k = 0; k < points; k++) {
+            for (int i = 0; i < points; i++) weights[k][i] = there[i][k];
+        }
+        solve(points, points, powers, weights);
+        for (int j = 0; j < points; j++) {
+            for (int i = 0; i < points; i++) between[m - 1][j][i] = weights[j][i];
         }
     }
 }
@@ -46,7 +81,7 @@ static void coefficients(int look_ahead, const double *samples, double *c) {
     for (int j = 0; j < POINTS; j++) {
         double sum = 0;
         if (j < points) {
-            for (int i = 0; i < points; i++) sum += lagrange[look_ahead][j][i] * samples[i];
+            for (int i = 0; i < points; i++) sum += between[look_ahead][j][i] * samples[i];
         }
         c[j] = sum;
     }
@@ -611,7 +646,7 @@ int main(int count, char **words) {
     decay = exp(-2 * M_PI * 0.1 / RATE);
     factorials[0] = 1;
     for (int i = 1; i < POINTS + 2; i++) factorials[i] = i * factorials[i - 1];
-    make_lagrange();
+    make_between();
 
     int rounds = atoi(words[3]), particles = count > 4 ? atoi(words[4]) : 1000;
     kalman filter;

@@ -139,18 +139,24 @@ final class ParticleFilter implements BodyFilter {
             noise.reset();
         }
         impossible = 0;
+        weights.equal();
         takeSteps();
-        restartMotion();
+        drawMotions();
     }
 
+    /** What was learned of the body, which the weights hold, stays. */
     @Override
     public void restartMotion() {
+        resample();
+        drawMotions();
+    }
+
+    private void drawMotions() {
         for (double[] particle : particles) {
             for (int i = 0; i < states; i++) {
                 particle[i] = motion * random.nextGaussian();
             }
         }
-        weights.equal();
         mean[model.offset()] = 0;
         offsetVariance = offsetDeviation * offsetDeviation;
         sensitivity.reset();

@@ -21,7 +21,7 @@ import wbv.rig.RigSpec;
 
 /**
  * How often ±2σ holds what it claims, on the rig's four people in all regimes, as tables for {@code docs/thesis.md}: {@code whole
- * SECONDS SEEDS} of what {@code analyze} and {@code track} print of a recording, {@code streams SECONDS METHOD…} of the streaming
+ * SECONDS SEEDS} of what {@code analyze} and {@code track} print of a recording, {@code streams SECONDS DRAW METHOD…} of the streaming
  * estimators, every ten seconds from the thirtieth on.
  *
  * <p>What is claimed is the body of one mode that simulates the same path of the same person best had the regime gone on: it is
@@ -46,7 +46,8 @@ public final class BodyProof {
         if (words[0].equals("whole")) {
             whole(seconds, Integer.parseInt(words[2]));
         } else if (words[0].equals("streams")) {
-            streams(seconds, Arrays.stream(words).skip(2).map(word -> Method.named(word).orElseThrow()).toList());
+            streams(seconds, Integer.parseInt(words[2]),
+                    Arrays.stream(words).skip(3).map(word -> Method.named(word).orElseThrow()).toList());
         } else {
             throw new IllegalArgumentException("whole or streams: " + words[0]);
         }
@@ -124,9 +125,9 @@ public final class BodyProof {
         return new Count(seeds * PLACES.size(), printed, frequency, damping, share);
     }
 
-    private static void streams(double seconds, List<Method> methods) {
+    private static void streams(double seconds, int draw, List<Method> methods) {
         List<List<Count>> cells = IntStream.range(0, PEOPLE * REGIMES).parallel()
-                .mapToObj(k -> streams(1 + k / REGIMES, 1 + k % REGIMES, seconds, methods)).toList();
+                .mapToObj(k -> streams(1 + k / REGIMES, 1 + k % REGIMES, seconds, draw, methods)).toList();
         System.out.println("| estimator | looks | frequency inside | damping inside |\n|---|---|---|---|");
         for (int m = 0; m < methods.size(); m++) {
             int method = m;
@@ -136,9 +137,9 @@ public final class BodyProof {
         }
     }
 
-    private static List<Count> streams(int subject, int regime, double seconds, List<Method> methods) {
+    private static List<Count> streams(int subject, int regime, double seconds, int draw, List<Method> methods) {
         List<Optional<EquivalentBody>> truth = bodies(recording(subject, regime, LONG, 9000 + 10L * subject + regime, FREE), 1);
-        Recording ride = recording(subject, regime, seconds, 5000 + 10L * subject + regime, "usual,loss");
+        Recording ride = recording(subject, regime, seconds, 5000 + 1000L * draw + 10L * subject + regime, "usual,loss");
         return methods.stream().map(method -> stream(truth, ride, method)).toList();
     }
 

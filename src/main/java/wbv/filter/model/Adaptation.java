@@ -30,7 +30,7 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
     public static final Adaptation USUAL = new Adaptation(new Prior(0.5, 1, 1, 2, 0.8), new Information(0.1, 0.5, 2, 1, 1, 5),
             new Noise(2, 1, 0.5, 10, 0.25, 25, 1, 3, 0.01, 0.1, 0.08, 0.9, 5, 1), new Wandering(0.5, 0.1, 60, 0.25, 10, 300, 3, 2, 4),
             new Watch(5, 3, 10, 0.75, 0.25, 1.5, 30, 100, 5), new Changes(4, 9, 0.4, 0.06, 10, 3, 1, 86400, 4, 20, 10),
-            new Scatter(3, 20), new Restart(0.5, 5, 60, 0.5, 1, 5, 10), new Particles(0.98, 40, 0.25, 0.5, 0.5, 20, 0.03, 1.5),
+            new Scatter(6, 20), new Restart(0.5, 5, 60, 0.5, 1, 5, 10), new Particles(0.98, 40, 0.25, 0.5, 0.5, 20, 0.03, 1.5),
             new Fusion(5, 50, 3, 8, 0.1, 1, 16, 0.05, 1, 0.4, 3, 1), new Others(17, 60, 3, 1, 3, 25, 1, 3));
 
     /**
@@ -189,14 +189,14 @@ public record Adaptation(Prior prior, Information information, Noise noise, Wand
     /**
      * How far an estimate really scatters.
      *
-     * @param batch   over which moves are summed [s]: some tens of a seated body's memories
-     * @param batches whose mean is kept [1]
+     * @param batch   over which moves are summed [s]: some tens of a seated body's memories, and longer than postural sway takes, assumed
+     * @param batches that are kept apart, whole [1]: as many as make Student's quantile hardly more than the normal one
      */
     public record Scatter(double batch, double batches) implements Part {
 
         public Scatter {
             positive("scatter", batch, batches);
-            notNegative("scatter.batches - 1", batches - 1);
+            notNegative("scatter.batches - 2", batches - 2);
         }
     }
 

@@ -1,12 +1,26 @@
 package wbv.filter.model;
 
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.DecompositionSolver;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+
 /**
- * What a band-limited signal does between two samples: the polynomial through the {@code 2m} samples around them (Lagrange).
+ * What a band-limited signal does between two samples, as a polynomial of the {@code 2m} samples around them: those weights of the samples
+ * that are least wrong in the mean over all frequencies up to {@value #BAND} of the rate (least squares; Oetken, Parks and Schüßler, IEEE
+ * Transactions on Acoustics, Speech, and Signal Processing 23, 1975), and right for a constant.
  *
- * <p>Straight lines between samples ({@code m = 1}) lose 5.7 % at 8 Hz of 60 Hz and put images of the signal above the
- * Nyquist frequency; {@code m = 4} loses less than 0.05 % at 9 Hz and 0.3 % at 12 Hz.
+ * <p>At 60 Hz {@code m = 4} is wrong by 0.04 % at most up to 14 Hz. Straight lines between samples lose 5.7 % at 8 Hz; the polynomial
+ * through the same eight samples (Lagrange), which is closer up to 8 Hz, loses 0.5 % at 12 Hz and 1.4 % at 14 Hz, which a second mode there
+ * takes for its own.
  */
 final class Interpolant {
+
+    /** Half of what can be sampled [1/sample]. */
+    private static final double BAND = 0.25;
+    private static final double SINGULAR = 1e-300;
 
     private final int points;
     /** For each coefficient those of all samples. */
@@ -16,12 +30,58 @@ final class Interpolant {
     Interpolant(int m) {
         this.points = 2 * m;
         this.weights = new double[points * points];
-        for (int i = 0; i < points; i++) {
-            double[] basis = lagrangeBasis(i, m);
+        // A polynomial through as many places of the interval as it has coefficients, as Chebyshev spaces them.
+        RealMatrix powers = new Array2DRowRealMatrix(points, points);
+        RealMatrix there = new Array2DRowRealMatrix(points, points);
+        DecompositionSolver mean = solver(meanProducts());
+        for (int k = 0; k < points; k++) {
+            double s = 0.5 - 0.5 * Math.cos(Math.PI * (k + 0.5) / points);
+            there.setRowVector(k, mean.solve(meanProducts(s)).getSubVector(0, points));
             for (int j = 0; j < points; j++) {
-                weights[j * points + i] = basis[j];
+                powers.setEntry(k, j, Math.pow(s, j));
             }
         }
+        RealMatrix coefficients = solver(powers).solve(there);
+        for (int j = 0; j < points; j++) {
+            System.arraycopy(coefficients.getRow(j), 0, weights, j * points, points);
+        }
+    }
+
+    private static DecompositionSolver solver(RealMatrix matrix) {
+        return new LUDecomposition(matrix, SINGULAR).getSolver();
+    }
+
+    /** Where a sample stands: -m + 1 … m, the interval being 0 to 1. */
+    private int node(int sample) {
+        return sample - points / 2 + 1;
+    }
+
+    /** Of each two samples over the band; bordered by the condition that weights sum to one. */
+    private RealMatrix meanProducts() {
+        RealMatrix out = new Array2DRowRealMatrix(points + 1, points + 1);
+        for (int i = 0; i < points; i++) {
+            for (int k = 0; k < points; k++) {
+                out.setEntry(i, k, meanProduct(node(i) - node(k)));
+            }
+            out.setEntry(i, points, 1);
+            out.setEntry(points, i, 1);
+        }
+        return out;
+    }
+
+    /** Of the signal at s and each sample. */
+    private RealVector meanProducts(double s) {
+        RealVector out = new ArrayRealVector(points + 1, 1);
+        for (int i = 0; i < points; i++) {
+            out.setEntry(i, meanProduct(s - node(i)));
+        }
+        return out;
+    }
+
+    /** Of signals of all frequencies of the band alike, so many samples apart. */
+    private static double meanProduct(double apart) {
+        double x = 2 * Math.PI * BAND * apart;
+        return x == 0 ? 1 : Math.sin(x) / x;
     }
 
     /** Number of samples that {@link #coefficients} reads, and of coefficients that it writes. */
@@ -45,23 +105,5 @@ final class Interpolant {
             }
             c[j] = sum;
         }
-    }
-
-    /** Monomial coefficients of the polynomial that is 1 at node i and 0 at the others; nodes are -m+1 … m. */
-    private static double[] lagrangeBasis(int i, int m) {
-        double[] product = new double[2 * m];
-        product[0] = 1;
-        int degree = 0;
-        int own = i - m + 1;
-        for (int node = -m + 1; node <= m; node++) {
-            if (node == own) {
-                continue;
-            }
-            for (int j = degree + 1; j >= 0; j--) {
-                product[j] = ((j > 0 ? product[j - 1] : 0) - node * product[j]) / (own - node);
-            }
-            degree++;
-        }
-        return product;
     }
 }

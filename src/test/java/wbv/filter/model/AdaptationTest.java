@@ -27,7 +27,7 @@ class AdaptationTest {
 
     @Test
     void onePartIsReplaced() {
-        Adaptation.Scatter longer = new Adaptation.Scatter(6, 20);
+        Adaptation.Scatter longer = new Adaptation.Scatter(12, 20);
         Adaptation other = Adaptation.USUAL.with(longer);
         assertEquals(longer, other.scatter());
         assertEquals(Adaptation.USUAL, other.with(Adaptation.USUAL.scatter()));
