@@ -40,9 +40,8 @@ import wbv.rig.RigSpec;
 /** Jobs that are stopped with a savepoint and gone on with: by more and fewer tasks, and by this version of the program. */
 class SavepointTest {
 
-    /** Made by {@link #main}. */
-    /** Of the seats' form as it is. */
-    private static final Path GOLDEN = Path.of("src/test/resources/wbv/fleet/savepoint-v2");
+    /** Of the seats' form as it is, made by {@link #main}. */
+    private static final Path GOLDEN = Path.of("src/test/resources/wbv/fleet/savepoint-v3");
 
     /** Below target and left there: jobs in this process clean up behind themselves when they have ended. */
     private final Path temporary;
@@ -126,10 +125,11 @@ class SavepointTest {
      * What was kept when this form was made is gone on with: each seat tells what it had not told, with all counts what they would have
      * been, and numbers as good as the same, since their arithmetic may have become another.
      */
-    // The weighting of form 1 ended at 27 Hz, that which goes on with it does not: 2.3e-3 of an r.m.s., twice that of a time.
+    // The weighting of form 1 ended at 27 Hz, that which goes on with it does not: 2.3e-3 of an r.m.s., twice that of a time. Of forms 1
+    // and 2 deviations are found anew, and the input between samples was read in another way.
     @ParameterizedTest
-    @CsvSource({"v2, 1e-3", "v1, 5e-3"})
-    void theGoldenSavepointIsGoneOnWith(String form, double tolerance) throws Exception {
+    @CsvSource({"v3, 1e-3, false", "v2, 5e-3, true", "v1, 5e-3, true"})
+    void theGoldenSavepointIsGoneOnWith(String form, double tolerance, boolean anew) throws Exception {
         Path kept = GOLDEN.resolveSibling("savepoint-" + form);
         FleetOrder order = golden();
         Path parts = temporary.resolve("parts");
@@ -154,6 +154,8 @@ class SavepointTest {
                     boolean exact = c < 2 || c >= header.indexOf("packets") || expected[c].isEmpty() || row[c].isEmpty();
                     if (exact) {
                         assertEquals(expected[c], row[c], seat + " " + header.get(c));
+                    } else if (anew && header.get(c).contains("deviation")) {
+                        assertTrue(Double.parseDouble(row[c]) > 0, seat + " " + header.get(c));
                     } else {
                         double value = Double.parseDouble(expected[c]);
                         assertEquals(value, Double.parseDouble(row[c]), tolerance * Math.abs(value) + 1e-6, seat + " " + header.get(c));
