@@ -10,7 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class InterpolantTest {
 
-    /** By eight samples and by two, where the samples are taken of this. */
+    /** What is read at a place of the interval from samples of a signal. */
     private static double between(int m, double s, DoubleUnaryOperator signal) {
         double[] samples = new double[2 * m];
         for (int i = 0; i < samples.length; i++) {
@@ -40,9 +40,8 @@ class InterpolantTest {
         double omega = 2 * Math.PI * frequency / 60;
         double worst = 0;
         for (double s = 0; s <= 1; s += 0.05) {
-            double at = s;
-            worst = Math.max(worst, Math.hypot(between(m, s, t -> Math.cos(omega * t)) - Math.cos(omega * at),
-                    between(m, s, t -> Math.sin(omega * t)) - Math.sin(omega * at)));
+            worst = Math.max(worst, Math.hypot(between(m, s, t -> Math.cos(omega * t)) - Math.cos(omega * s),
+                    between(m, s, t -> Math.sin(omega * t)) - Math.sin(omega * s)));
         }
         assertTrue(worst < most, worst + "");
     }
