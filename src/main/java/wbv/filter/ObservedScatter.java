@@ -1,7 +1,6 @@
 package wbv.filter;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.filter.model.Spec;
@@ -27,8 +26,10 @@ final class ObservedScatter implements Serializable, Snapshot {
     private static final long serialVersionUID = 2;
     /** Square of Student's quantile of 97.5 % over the normal one, by degrees of freedom; the last for all above. */
     private static final double[] STUDENT = student(100);
-    /** Version of saved states from which on they hold batches; before it they held the mean of D². */
-    private static final int WITH_BATCHES = 3;
+    /** Version of saved states from which on they hold batches; before it they held means of moves. */
+    private static final int WITH_BATCHES = 4;
+    /** That which held one number more than those before. */
+    private static final int WITH_MORE = 3;
 
     private final int length;
     /** Of each batch, earliest first: its weight w, and w (z - θ). */
@@ -176,17 +177,18 @@ final class ObservedScatter implements Serializable, Snapshot {
     @Override
     public void load(StateReader in) {
         boolean whole = in.version() >= WITH_BATCHES;
-        batches = whole ? in.integer() : 0;
+        batches = whole ? in.integer(0, weight.length, "batches") : 0;
         for (int b = 0; b < batches; b++) {
             weight[b] = in.number();
             pull[b] = in.number();
         }
         known = in.number();
-        told = whole ? in.number() : 0;
+        told = whole || in.version() == WITH_MORE ? in.number() : 0;
         sum = in.number();
         left = in.number();
         samples = in.integer();
         if (!whole) { // how it scatters is found anew
+            told = 0;
             in.number();
             in.number();
         }

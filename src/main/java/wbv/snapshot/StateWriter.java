@@ -14,7 +14,7 @@ public final class StateWriter {
     /** "wbvS". */
     static final int MARK = 0x77627653;
     /** Version of the form of all states. One that {@link StateReader} no longer reads is refused by its number. */
-    public static final int VERSION = 3;
+    public static final int VERSION = 4;
     static final int HEAD = Integer.BYTES + 1;
     static final int TAIL = Integer.BYTES;
     private static final int FIRST = 4096;

@@ -22,7 +22,7 @@ import wbv.rig.RigSpec;
 /**
  * How often ±2σ holds what it claims, on the rig's four people in all regimes, as tables for {@code docs/thesis.md}: {@code whole
  * SECONDS SEEDS} of what {@code analyze} and {@code track} print of a recording, {@code streams SECONDS DRAW METHOD…} of the streaming
- * estimators, every ten seconds from the thirtieth on.
+ * estimators, every ten seconds from the thirtieth on; draws are 0 to 3, since 4 is that of the truth.
  *
  * <p>What is claimed is the body of one mode that simulates the same path of the same person best had the regime gone on: it is
  * fitted to ten minutes of the noise-free plant under another draw of the same regime.

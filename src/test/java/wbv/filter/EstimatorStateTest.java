@@ -164,7 +164,7 @@ class EstimatorStateTest {
             mutated[random.nextInt(state.length)] ^= (byte) (1 + random.nextInt(255));
             refused(mutated);
         }
-        assertTrue(refused(version(state, StateWriter.VERSION + 1)).contains("version 4; this program reads 1 to 3"));
+        assertTrue(refused(version(state, StateWriter.VERSION + 1)).contains("version 5; this program reads 1 to 4"));
         assertTrue(refused(version(state, 0)).contains("version 0"));
         assertTrue(refused(StateWriter.of(estimator)).contains("saved state of something else"));
         Estimator other = EstimatorDesign.of(Method.FUSED).estimator(Spec.at(60), Adwin::new);

@@ -20,7 +20,6 @@ final class Interpolant {
 
     /** Half of what can be sampled [1/sample]. */
     private static final double BAND = 0.25;
-    private static final double SINGULAR = 1e-300;
 
     private final int points;
     /** For each coefficient those of all samples. */
@@ -48,7 +47,7 @@ final class Interpolant {
     }
 
     private static DecompositionSolver solver(RealMatrix matrix) {
-        return new LUDecomposition(matrix, SINGULAR).getSolver();
+        return new LUDecomposition(matrix).getSolver();
     }
 
     /** Where a sample stands: -m + 1 … m, the interval being 0 to 1. */
