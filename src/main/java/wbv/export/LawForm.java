@@ -17,6 +17,7 @@ import wbv.body.law.LearnedMemory;
 import wbv.body.law.LearnedTable;
 import wbv.body.law.LearnedTerm;
 import wbv.body.law.LearnedWave;
+import wbv.body.law.MuscleReflex;
 import wbv.body.law.ScheduledLink;
 import wbv.body.number.Key;
 import wbv.body.number.Shape;
@@ -48,8 +49,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
 
     static LawForm of(Law law) {
         Map<String, Double> constants = constants((Record) law);
-        List<Line> steps = lines(steps(law));
-        String flow = flow(law);
+        List<Line> steps = lines(sided(steps(law), law));
+        String flow = sided(flow(law), law);
         return new LawForm(constants, steps, flow.isEmpty() ? steps : lines(flow),
                 law.hasMemory() ? Optional.of(Expression.parse(start(law))) : Optional.empty());
     }
@@ -92,6 +93,15 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             out.add(new Line(line.substring(0, sign).strip(), Expression.parse(line.substring(sign + 3))));
         }
         return out;
+    }
+
+    /** What pulls one way only. */
+    private static String sided(String text, Law law) {
+        return !(law instanceof MuscleReflex muscle) ? text : text.replace("SIDE", switch (muscle.side()) {
+            case EXTENSION -> "max(0, told)";
+            case COMPRESSION -> "min(0, told)";
+            case BOTH -> "told";
+        });
     }
 
     private static String steps(Law law) {
@@ -237,6 +247,13 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     force = remembered
                     """),
             Map.entry("Reflex", "force = reflex_N_per_m * late_r + reflex_Ns_per_m * late_v"),
+            Map.entry("MuscleReflex", """
+                    u = h / twitch_s
+                    mean = -expm1(-u) / u
+                    remembered = memory * exp(-u) + (late_r - h * late_v) * (mean - exp(-u)) + late_r * (1 - mean)
+                    told = reflex_N_per_m * remembered + reflex_Ns_per_m * (late_r - remembered) / twitch_s
+                    force = SIDE
+                    """),
             Map.entry("LearnedInertance", """
                     remembered = 2 * v - memory
                     force = inertance_kg * 2 * (v - memory) / h
@@ -275,6 +292,11 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             case "MaxwellArm" -> """
                     rate = arm_stiffness_N_per_m * v - memory / relaxation_s
                     force = memory
+                    """;
+            case "MuscleReflex" -> """
+                    rate = (late_r - memory) / twitch_s
+                    told = reflex_N_per_m * memory + reflex_Ns_per_m * rate
+                    force = SIDE
                     """;
             case "LearnedInertance" -> "force = inertance_kg * a";
             default -> "";

@@ -676,6 +676,11 @@ def reflex_stiffness(omega, reflex_N_per_m, reflex_Ns_per_m, delay_s):
     return (reflex_N_per_m + 1j * omega * reflex_Ns_per_m) * np.exp(-1j * omega * delay_s)
 
 
+def muscle_reflex_stiffness(omega, reflex_N_per_m, reflex_Ns_per_m, delay_s, twitch_s, side):
+    """Force over displacement of two muscles that answer late and slowly, each one way."""
+    return (reflex_N_per_m + 1j * omega * reflex_Ns_per_m) * np.exp(-1j * omega * delay_s) / (1 + 1j * omega * twitch_s)
+
+
 def learned_inertance_stiffness(omega, inertance_kg):
     """Force over displacement of a force on the relative acceleration."""
     return -omega ** 2 * inertance_kg + 0j

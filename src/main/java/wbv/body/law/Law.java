@@ -12,7 +12,7 @@ public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
-        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, ScheduledLink, ScheduledFriction, Learned {
+        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */
     String mechanism();
@@ -89,6 +89,8 @@ public sealed interface Law permits
             motion.before = displacement[j - 1];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
+            motion.lateDisplacement = earlier(displacement, j - lateness() / step);
+            motion.lateVelocity = earlier(velocity, j - lateness() / step);
             motion.modulation = modulation.length == 0 ? 1 : modulation[j];
             out[j] = force(motion);
             motion.memory = remember(motion);
@@ -96,6 +98,12 @@ public sealed interface Law permits
         return out;
     }
 
-    /** Which way a stop works. */
+    private static double earlier(double[] series, double at) {
+        int floor = (int) Math.floor(at);
+        double share = at - floor;
+        return floor < 0 ? 0 : share == 0 ? series[floor] : series[floor] * (1 - share) + series[floor + 1] * share;
+    }
+
+    /** Which way a stop or a muscle works. */
     enum Side { COMPRESSION, EXTENSION, BOTH }
 }

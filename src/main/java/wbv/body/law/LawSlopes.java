@@ -179,36 +179,36 @@ public final class LawSlopes {
             double late = m.lateDisplacement;
             m.lateDisplacement = late + DISPLACEMENT;
             f = law.force(m);
+            z = memoryOf(m);
             m.lateDisplacement = late - DISPLACEMENT;
-            set(LATE_DISPLACEMENT, f, 0, m, 2 * DISPLACEMENT);
+            set(LATE_DISPLACEMENT, f, z, m, 2 * DISPLACEMENT);
             m.lateDisplacement = late;
             late = m.lateVelocity;
             m.lateVelocity = late + VELOCITY;
             f = law.force(m);
+            z = memoryOf(m);
             m.lateVelocity = late - VELOCITY;
-            set(LATE_VELOCITY, f, 0, m, 2 * VELOCITY);
+            set(LATE_VELOCITY, f, z, m, 2 * VELOCITY);
             m.lateVelocity = late;
         }
         for (int i = 0; i < parameters; i++) {
             double span = span(i);
-            double high = forceOf(higher[i], m, past, slot, index);
-            double low = forceOf(lower[i], m, past, slot, index);
-            force[OWN + i] = (high - low) / span;
-            memory[OWN + i] = remembers ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
+            double late = m.lateDisplacement;
+            double lateRate = m.lateVelocity;
+            boolean later = late() && higher[i].lateness() != lower[i].lateness();
+            if (later) {
+                past.recall(m, slot, index, higher[i].lateness());
+            }
+            double high = higher[i].force(m);
+            double highMemory = remembers ? higher[i].remember(m) : 0;
+            if (later) {
+                past.recall(m, slot, index, lower[i].lateness());
+            }
+            force[OWN + i] = (high - lower[i].force(m)) / span;
+            memory[OWN + i] = remembers ? (highMemory - lower[i].remember(m)) / span : 0;
+            m.lateDisplacement = late;
+            m.lateVelocity = lateRate;
         }
-    }
-
-    private double forceOf(Law other, LinkMotion m, Past past, int slot, int index) {
-        if (!late() || other.lateness() == law.lateness()) {
-            return other.force(m);
-        }
-        double r = m.lateDisplacement;
-        double v = m.lateVelocity;
-        past.recall(m, slot, index, other.lateness());
-        double f = other.force(m);
-        m.lateDisplacement = r;
-        m.lateVelocity = v;
-        return f;
     }
 
     private double memoryOf(LinkMotion m) {

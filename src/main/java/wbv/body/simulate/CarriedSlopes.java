@@ -309,6 +309,8 @@ final class CarriedSlopes {
         direct(kept, z, i);
         if (laws[i].late()) {
             for (int p = 0; p < count; p++) {
+                kept[p] += z[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
+                        + z[LawSlopes.LATE_VELOCITY] * run.past(velocityPast[i][p], i, j + 1);
                 displacementPast[i][p][j + 1] = displacement[i][p];
                 velocityPast[i][p][j + 1] = rate[i][p];
             }

@@ -30,6 +30,8 @@ public final class Nuisances {
     private final double[] delays;
     /** What errors of ways are scaled by, see {@link #bounded}. */
     private final double way;
+    /** Where looks for the errors begin, in standard deviations: at their bounds those that stood there, 0 for all others. */
+    private final double[] begun;
 
     /**
      * The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed.
@@ -39,7 +41,8 @@ public final class Nuisances {
     public static Nuisances of(Evidence evidence, Whitening whitening, ErrorShapes ways) {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
-        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1);
+        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1,
+                new double[all.count()]);
     }
 
     /**
@@ -52,7 +55,9 @@ public final class Nuisances {
         for (int i = 0; i < delays.length; i++) {
             delays[i] = errors.get(i).isDelay() ? sizes[i] : 0;
         }
-        return new Nuisances(window, sample, errors, columns, gram, delays, way);
+        double[] bounds = new double[sizes.length];
+        Arrays.setAll(bounds, i -> isHeld(i, sizes[i]) ? Math.copySign(errors.get(i).most(), sizes[i]) : 0);
+        return new Nuisances(window, sample, errors, columns, gram, delays, way, bounds);
     }
 
     /**
@@ -91,7 +96,7 @@ public final class Nuisances {
                 products[i][j] = by[i] * by[j] * gram[i][j];
             }
         }
-        return new Nuisances(window, sample, errors, new Columns(all), products, delays, factor * way);
+        return new Nuisances(window, sample, errors, new Columns(all), products, delays, factor * way, begun);
     }
 
     /** What an error of so many standard deviations is of what is known of it. */
@@ -100,7 +105,7 @@ public final class Nuisances {
     }
 
     private Nuisances(Window window, double sample, List<SmallError> errors, Columns columns, double[][] gram, double[] delays,
-            double way) {
+            double way, double[] begun) {
         this.window = window;
         this.sample = sample;
         this.errors = errors;
@@ -108,6 +113,7 @@ public final class Nuisances {
         this.gram = gram;
         this.delays = delays;
         this.way = way;
+        this.begun = begun;
     }
 
     /**
@@ -311,6 +317,10 @@ public final class Nuisances {
         double[] products = products(residual);
         double[] n = new double[columns.count()];
         boolean[] held = off.clone();
+        for (int i = 0; i < n.length; i++) {
+            n[i] = off[i] ? 0 : begun[i];
+            held[i] |= begun[i] != 0;
+        }
         for (int round = 0; round < ROUNDS; round++) {
             solve(n, products, held);
             boolean settled = true;

@@ -9,6 +9,7 @@ import wbv.rig.concealed.law.Lugre;
 import wbv.rig.concealed.law.MaxwellArms;
 import wbv.rig.concealed.law.Modulated;
 import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.PullingMuscle;
 import wbv.rig.concealed.law.Sliders;
 import wbv.rig.concealed.law.Springs;
 import wbv.rig.concealed.law.Thixotropic;
@@ -98,6 +99,12 @@ final class LinkRecipes {
                             Modulated.creep((0.4 + half) * seconds, coin ? 1 - a : 1 + 1.5 * a), 0.5));
             case "muscle.reflex" -> {
                 double delay = 0.04 + 0.07 * half;
+                if (coin) {
+                    double twitch = 3 + 2 * half;
+                    yield new OmissionRecipe(0.05, 8, a -> new Omission(word, where, "a muscle that only pulls",
+                            Map.of("reflex_N_per_m", 0.2 * a * k, "reflex_Ns_per_m", a * c, "delay_s", delay, "twitch_hz", twitch),
+                            setup -> setup.link(link, h -> new PullingMuscle(k, c, 0.2 * a * k, a * c, delay, twitch, h))));
+                }
                 yield new OmissionRecipe(0.02, 0.8, a -> new Omission(word, where, "delayed, then low-passed",
                         Map.of("reflex_N_per_m", a * k, "delay_s", delay + 0.025), setup -> setup.link(link,
                                 h -> new Muscle(k, c, a * k, 0.3 * a * c, delay, h))));

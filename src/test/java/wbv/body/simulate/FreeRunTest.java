@@ -28,6 +28,7 @@ import wbv.body.law.LearnedMemory;
 import wbv.body.law.LearnedTerm;
 import wbv.body.law.LinkMotion;
 import wbv.body.law.MaxwellArm;
+import wbv.body.law.MuscleReflex;
 import wbv.body.law.PolynomialSpring;
 import wbv.body.law.ProgressiveSpring;
 import wbv.body.law.QuadraticDamping;
@@ -56,6 +57,9 @@ class FreeRunTest {
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4),
                 new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5), new StepChange(1.2, 0.5, 0.7),
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
+                new MuscleReflex(20000, 900, 0.06, 0.05, Law.Side.EXTENSION),
+                new MuscleReflex(5000, 2000, 0.04, 0.03, Law.Side.COMPRESSION),
+                new MuscleReflex(20000, 900, 0.06, 0.05, Law.Side.BOTH),
                 new LearnedTerm(Shape.parse("|v|v"), Modulator.NONE, 8000), new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 2e9),
                 new LearnedTerm(Shape.parse("|r| sign(v)"), Modulator.NONE, 3e4),
                 new LearnedTerm(Shape.parse("v+^2"), Modulator.NONE, 9000),

@@ -25,6 +25,7 @@ import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
 import wbv.body.law.LawAt;
 import wbv.body.law.MaxwellArm;
+import wbv.body.law.MuscleReflex;
 import wbv.body.law.ProgressiveSpring;
 import wbv.body.law.QuadraticDamping;
 import wbv.body.law.Reflex;
@@ -316,7 +317,8 @@ class SimulatorTest {
     }
 
     static Stream<Law> linearLaws() {
-        return Stream.of(new MaxwellArm(30000, 0.05), new Reflex(20000, 300, 0.06));
+        return Stream.of(new MaxwellArm(30000, 0.05), new Reflex(20000, 300, 0.06),
+                new MuscleReflex(20000, 900, 0.06, 0.05, Law.Side.BOTH));
     }
 
     static Excitation excitation(double rate, int n) {

@@ -9,6 +9,7 @@ import wbv.rig.concealed.law.LinkPhysics;
 import wbv.rig.concealed.law.Lugre;
 import wbv.rig.concealed.law.MaxwellArms;
 import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.PullingMuscle;
 import wbv.rig.concealed.law.Sliders;
 import wbv.rig.concealed.law.Springs;
 
@@ -112,6 +113,27 @@ class LawsTest {
             muscle.commit(t, 0.01 * t, 0);
         }
         assertEquals(1000 * 0.01 * (t - delay - 0.025), muscle.force(t, 0, 0, y, 0), 0.01);
+    }
+
+    /** A ramp felt by a critically damped twitch comes out 2/ω after the delay; felt the other way it calls nothing. */
+    @Test
+    void aMuscleThatPullsDoesNotPush() {
+        double h = 1e-4;
+        for (double speed : new double[] {0.01, -0.01}) {
+            PullingMuscle muscle = new PullingMuscle(0, 0, 1000, 0, 0.05, 4, h);
+            double[] y = new double[2];
+            double[] rate = new double[2];
+            double t = 0;
+            for (int i = 1; i <= 8000; i++) {
+                muscle.rates(t, 0, 0, y, 0, rate);
+                y[0] += h * rate[0];
+                y[1] += h * rate[1];
+                t = i * h;
+                muscle.commit(t, speed * t, 0);
+            }
+            double late = t - 0.05 - 2 / (2 * Math.PI * 4);
+            assertEquals(Math.max(0, 1000 * speed * late), muscle.force(t, 0, 0, y, 0), 0.01);
+        }
     }
 
     /** A strap at rest shows what is there; at its resonance it shows 1/(2 ζ) and more. */

@@ -7,12 +7,7 @@ public final class Muscle implements LinkPhysics {
 
     private final double k;
     private final double c;
-    private final double gain;
-    private final double rateGain;
-    private final double h;
-    private final double delay;
-    private final double[] past;
-    private long steps;
+    private final Spindle spindle;
 
     /**
      * Relaxed.
@@ -27,11 +22,7 @@ public final class Muscle implements LinkPhysics {
     public Muscle(double k, double c, double gain, double rateGain, double delay, double h) {
         this.k = k;
         this.c = c;
-        this.gain = gain;
-        this.rateGain = rateGain;
-        this.h = h;
-        this.delay = delay;
-        this.past = new double[(int) Math.ceil(delay / h) + 3];
+        this.spindle = new Spindle(gain, rateGain, delay, h);
     }
 
     @Override
@@ -46,23 +37,11 @@ public final class Muscle implements LinkPhysics {
 
     @Override
     public void rates(double t, double r, double v, double[] y, int at, double[] into) {
-        into[at] = (late(t) - y[at]) / TWITCH;
+        into[at] = (spindle.told(t) - y[at]) / TWITCH;
     }
 
     @Override
     public void commit(double t, double r, double v) {
-        steps++;
-        past[(int) (steps % past.length)] = gain * r + rateGain * v;
-    }
-
-    /** What was felt a delay ago; steps end at whole multiples of h. */
-    private double late(double t) {
-        double at = (t - delay) / h;
-        if (at <= 0) {
-            return 0;
-        }
-        long before = (long) Math.floor(at);
-        double share = at - before;
-        return (1 - share) * past[(int) (before % past.length)] + share * past[(int) ((before + 1) % past.length)];
+        spindle.feel(r, v);
     }
 }
