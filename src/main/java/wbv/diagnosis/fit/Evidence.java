@@ -284,11 +284,7 @@ public final class Evidence {
     /** The same evidence, blind to whatever enters at a place. */
     public Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);
-        if (place.kind() == Place.Kind.DEVICE) {
-            place.channels(this).forEach(output -> all.add(new Place(Place.Kind.SENSOR, output)));
-        } else {
-            all.add(place);
-        }
+        all.addAll(place.each(this));
         return new Evidence(measured, excitation, fit, heldOut, bodyForce, all, library, heard);
     }
 

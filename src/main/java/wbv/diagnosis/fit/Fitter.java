@@ -59,12 +59,12 @@ public final class Fitter {
     }
 
     /**
-     * What a candidate did at some numbers, which several fits need that begin there.
+     * What a candidate did at some numbers.
      *
      * @param x coordinates [1], one a knob. Not a copy
      * @param slopes derivatives that the response has
      */
-    public record Ran(Candidate candidate, double[] x, Sensitivities slopes, Simulator.Response response) {
+    private record Ran(Candidate candidate, double[] x, Sensitivities slopes, Simulator.Response response) {
         private boolean is(Candidate asked, double[] where) {
             return candidate == asked && Arrays.equals(x, where);
         }
@@ -75,29 +75,12 @@ public final class Fitter {
     }
 
     /**
-     * What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds.
-     *
-     * @param x coordinates [1], one a knob. Not modified.
-     */
-    public Optional<Ran> ran(Candidate candidate, double[] x) {
-        response(candidate, x, Sensitivities.ALL, Optional.empty());
-        return ran.filter(last -> last.has(Sensitivities.ALL) && last.is(candidate, x));
-    }
-
-    /**
      * The same fitter for what lies near a fit: what goes beyond small motions, which is most of the work, stays as it is there. Hypotheses
      * are compared so before the best are fitted in full.
      */
     public Fitter about(State base) {
         return new Fitter(evidence, excitation,
                 response(base.candidate(), base.x(), Sensitivities.NONE, Optional.empty()).flatMap(Simulator.Response::bends));
-    }
-
-    /** The same fitter of another look at the same recording, which need not run again what is known. */
-    public Fitter of(Evidence other, Optional<Ran> known) {
-        Fitter out = new Fitter(other, excitation);
-        out.ran = known;
-        return out;
     }
 
     /**

@@ -158,22 +158,33 @@ public final class Normal {
 
     /** The next x, within bounds. */
     double[] step(double damping) {
+        return step(state.candidate(), state.x(), curvature, gradient, damping);
+    }
+
+    /**
+     * The same of any equations.
+     *
+     * @param x where they stand, coordinates [1], one a knob
+     * @param curvature as {@link #curvature}
+     * @param gradient as {@link #gradient}. None is modified.
+     */
+    static double[] step(Candidate candidate, double[] x, double[][] curvature, double[] gradient, double damping) {
         int n = gradient.length;
         boolean[] held = new boolean[n];
         for (int i = 0; i < n; i++) {
-            Knob knob = state.candidate().knobs().get(i);
-            held[i] = state.x()[i] <= knob.low() + 1e-12 && gradient[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && gradient[i] < 0;
+            Knob knob = candidate.knobs().get(i);
+            held[i] = x[i] <= knob.low() + 1e-12 && gradient[i] > 0 || x[i] >= knob.high() - 1e-12 && gradient[i] < 0;
         }
         double[] step = Fitter.solve(curvature, gradient, held, damping);
         double scale = 1;
         for (int i = 0; i < n; i++) {
-            boolean factor = state.candidate().knobs().get(i).unit() == 0;
-            double longest = factor ? LONGEST : Math.max(LONGEST_UNITS, LONGEST * Math.abs(state.x()[i]));
+            boolean factor = candidate.knobs().get(i).unit() == 0;
+            double longest = factor ? LONGEST : Math.max(LONGEST_UNITS, LONGEST * Math.abs(x[i]));
             scale = Math.min(scale, longest / Math.max(Math.abs(step[i]), 1e-300));
         }
-        double[] next = state.x().clone();
+        double[] next = x.clone();
         for (int i = 0; i < n; i++) {
-            Knob knob = state.candidate().knobs().get(i);
+            Knob knob = candidate.knobs().get(i);
             next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
         }
         return next;

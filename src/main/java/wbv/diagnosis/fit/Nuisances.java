@@ -99,6 +99,22 @@ public final class Nuisances {
         return new Nuisances(window, sample, errors, new Columns(all), products, delays, factor * way, begun);
     }
 
+    /**
+     * The same errors as they show where a part of everything is not seen; their columns stay whole.
+     *
+     * @param unseen products of that part of the columns, by column and column. Not modified.
+     */
+    Nuisances less(double[][] unseen) {
+        double[][] seen = new double[gram.length][];
+        for (int i = 0; i < seen.length; i++) {
+            seen[i] = gram[i].clone();
+            for (int j = 0; j < seen.length; j++) {
+                seen[i][j] -= unseen[i][j];
+            }
+        }
+        return new Nuisances(window, sample, errors, columns, seen, delays, way, begun);
+    }
+
     /** What an error of so many standard deviations is of what is known of it. */
     double scale(int i) {
         return errors.get(i).kind() == SmallError.Kind.WAY ? way : 1;
@@ -314,7 +330,16 @@ public final class Nuisances {
      * @param off errors that are not asked, see {@link #off}
      */
     Explained explain(double[] residual, boolean[] off) {
-        double[] products = products(residual);
+        return explain(products(residual), Fitter.dot(residual, residual), off);
+    }
+
+    /**
+     * The same of a residual of which no more is known.
+     *
+     * @param products Dᵀr. Not modified.
+     * @param square |r|²
+     */
+    Explained explain(double[] products, double square, boolean[] off) {
         double[] n = new double[columns.count()];
         boolean[] held = off.clone();
         for (int i = 0; i < n.length; i++) {
@@ -337,7 +362,7 @@ public final class Nuisances {
         }
         double[] left = gradient(n, products);
         // |r - D n|² = |r|² - n·(Dᵀr + Dᵀ(r - D n))
-        return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, left)));
+        return new Explained(n, Math.max(0, square - Fitter.dot(n, products) - Fitter.dot(n, left)));
     }
 
     /**
@@ -347,21 +372,28 @@ public final class Nuisances {
      */
     private void solve(double[] n, double[] products, boolean[] held) {
         int[] free = IntStream.range(0, n.length).filter(i -> !held[i]).toArray();
-        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
         double[] b = new double[free.length];
         for (int i = 0; i < free.length; i++) {
             b[i] = products[free[i]];
             for (int j = 0; j < n.length; j++) {
                 b[i] -= held[j] ? gram[free[i]][j] * n[j] : 0;
             }
-            for (int j = 0; j < free.length; j++) {
-                a.set(i, j, gram[free[i]][free[j]] + (i == j ? 1 : 0));
-            }
         }
-        double[] solved = SymmetricFactor.of(a).orElseThrow().solve(b);
+        double[] solved = factor(free).solve(b);
         for (int i = 0; i < free.length; i++) {
             n[free[i]] = solved[i];
         }
+    }
+
+    /** Of DᵀD + 1 for some of the errors. */
+    SymmetricFactor factor(int[] which) {
+        DMatrixRMaj a = new DMatrixRMaj(which.length, which.length);
+        for (int i = 0; i < which.length; i++) {
+            for (int j = 0; j < which.length; j++) {
+                a.set(i, j, gram[which[i]][which[j]] + (i == j ? 1 : 0));
+            }
+        }
+        return SymmetricFactor.of(a).orElseThrow();
     }
 
     /**
@@ -400,9 +432,5 @@ public final class Nuisances {
     /** Whether an error of that size stands at its bound and so takes no part in small changes; those of ways have none. */
     boolean isHeld(int i, double size) {
         return Math.abs(size) >= errors.get(i).most() - 1e-9;
-    }
-
-    double gram(int i, int j) {
-        return gram[i][j];
     }
 }

@@ -3,6 +3,7 @@ package wbv.diagnosis.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
@@ -52,6 +53,11 @@ public record Place(Kind kind, int index) {
     /** Outputs that a sensor or a device makes. */
     public List<Integer> channels(Evidence evidence) {
         return kind == Kind.SENSOR ? List.of(index) : Scene.device(evidence.outputs(), evidence.onRig(), index);
+    }
+
+    /** What it is made of: of a device its channels, of anything else itself. */
+    List<Place> each(Evidence evidence) {
+        return kind == Kind.DEVICE ? channels(evidence).stream().map(output -> new Place(Kind.SENSOR, output)).toList() : List.of(this);
     }
 
     /** Whether it is no place of a force. */
@@ -129,11 +135,20 @@ public record Place(Kind kind, int index) {
      * channel does that by itself.
      */
     public double[][] direction(Excitation excitation, Assembly assembly) {
+        return direction(() -> new Simulator(excitation).linearised(assembly), assembly.outputs().size(), excitation.omega().length);
+    }
+
+    /**
+     * The same, of a model that was linearised already.
+     *
+     * @param linear asked for forces only
+     * @param lines of the excitation
+     */
+    double[][] direction(Supplier<Simulator.Linearised> linear, int outputs, int lines) {
         if (!isSensor()) {
-            Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);
-            return kind == Kind.BODY ? linear.ofBodyForce(index) : linear.ofLinkForce(index);
+            return kind == Kind.BODY ? linear.get().ofBodyForce(index) : linear.get().ofLinkForce(index);
         }
-        double[][] out = new double[assembly.outputs().size()][2 * excitation.omega().length];
+        double[][] out = new double[outputs][2 * lines];
         for (int k = 0; k < out[index].length; k += 2) {
             out[index][k] = 1;
         }

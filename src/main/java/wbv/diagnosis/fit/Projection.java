@@ -2,7 +2,6 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import org.ejml.data.DMatrixRMaj;
 
 /**
  * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
@@ -19,13 +18,7 @@ public final class Projection {
         Nuisances nuisances = state.frame().nuisances();
         free = free(state);
         columns = nuisances.columns().only(free);
-        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
-        for (int i = 0; i < free.length; i++) {
-            for (int j = 0; j < free.length; j++) {
-                a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
-            }
-        }
-        factor = SymmetricFactor.of(a).orElseThrow();
+        factor = nuisances.factor(free);
     }
 
     private static int[] free(Fitter.State state) {

@@ -1,13 +1,12 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import wbv.diagnosis.fit.BlindFit;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -23,10 +22,10 @@ public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
     static final int FEWEST_OUTPUTS = 3;
-    private static final int FIRST_STEPS = 3;
+    private static final int FIRST_STEPS = 6;
     private static final int STEPS = 8;
     /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
-    private static final double HOPELESS = 10;
+    private static final double HOPELESS = 4;
     /** The same for a last round. */
     private static final double NEAR = 3;
     private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
@@ -35,8 +34,6 @@ public final class Locator {
 
     private final Evidence evidence;
     private final Candidate baseline;
-    /** What the model does where several fits begin, by the very numbers, as long as they are made: each takes some 10 MB. */
-    private final Map<double[], Optional<Fitter.Ran>> begun = Collections.synchronizedMap(new IdentityHashMap<>());
 
     /**
      * Among the places of this evidence.
@@ -63,8 +60,7 @@ public final class Locator {
             return List.of();
         }
         List<Place> all = Place.andDevices(evidence);
-        List<Known.Ignoring> plain = found(
-                all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
+        List<Known.Ignoring> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(List::of).toList(), starts);
         List<Known.Ignoring> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
                 .filter(found -> found.places().get(0).equals(plain(place)))
                 .map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced()))).toList();
@@ -81,11 +77,10 @@ public final class Locator {
             return List.of();
         }
         List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
-        List<Asked> asked = new ArrayList<>();
+        List<List<Place>> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
             for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
-                asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)),
-                        List.of(singles.get(i).x(), second.x())));
+                asked.add(List.of(singles.get(i).places().get(0), second.places().get(0)));
             }
         }
         return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
@@ -97,7 +92,7 @@ public final class Locator {
      * @param x where fits start
      */
     double left(Place place, double[] x) {
-        return found(List.of(new Asked(List.of(place), List.of(x, baseline.start()))), List.of()).get(0).reduced();
+        return found(List.of(List.of(place)), List.of(x, baseline.start())).get(0).reduced();
     }
 
     /**
@@ -113,32 +108,41 @@ public final class Locator {
         return place.plain(baseline.template());
     }
 
-    /** Places to be ignored, and where fits start then. */
-    private record Asked(List<Place> places, List<double[]> starts) {}
-
     /**
      * Fits all a little, and the whole way those that are not hopeless then.
      *
-     * @param shared where many of them start
+     * @param all places that are ignored together
+     * @param starts of each of them
      */
-    private List<Known.Ignoring> found(List<Asked> all, List<double[]> shared) {
-        Parallel.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
-        List<Known.Ignoring> heat = sorted(
-                Parallel.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
-                        .min(BEST).orElseThrow()));
-        begun.clear();
-        return further(further(heat, HOPELESS), NEAR);
+    private List<Known.Ignoring> found(List<List<Place>> all, List<double[]> starts) {
+        Fitter fitter = new Fitter(evidence);
+        List<BlindFit> blind = Parallel.map(starts, x -> fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit())))
+                .stream().filter(state -> !state.failed()).map(state -> new BlindFit(evidence, fitter.about(state), state)).toList();
+        List<List<Known.Ignoring>> heat = Parallel.map(all,
+                places -> blind.isEmpty() ? List.of(new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY))
+                        : blind.stream().map(fit -> fit.ignoring(places, FIRST_STEPS)).toList());
+        List<Known.Ignoring> warm = sorted(heat.stream().map(Locator::least).toList());
+        double reach = reach(warm, HOPELESS);
+        // From each start, since one that is worse at first may lead lower.
+        List<Known.Ignoring> near = Parallel.map(heat.stream().flatMap(List::stream).filter(each -> each.reduced() <= reach).toList(),
+                this::further);
+        return again(sorted(Stream.concat(near.stream(), warm.stream().filter(each -> each.reduced() > reach))
+                .collect(Collectors.groupingBy(Known.Ignoring::places, LinkedHashMap::new, Collectors.toList())).values().stream()
+                .map(Locator::least).toList()));
+    }
+
+    private static Known.Ignoring least(List<Known.Ignoring> found) {
+        return found.stream().min(BEST).orElseThrow();
     }
 
     /**
-     * More steps for those that leave no more than some times the excess of the best.
+     * More steps for those that leave little more than the best.
      *
      * @param found best first
      */
-    private List<Known.Ignoring> further(List<Known.Ignoring> found, double times) {
-        double reach = reach(found, times);
-        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
-                : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
+    private List<Known.Ignoring> again(List<Known.Ignoring> found) {
+        double reach = reach(found, NEAR);
+        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each)));
     }
 
     /**
@@ -158,13 +162,14 @@ public final class Locator {
         return out;
     }
 
-    private Known.Ignoring fitted(List<Place> places, double[] start, int steps) {
+    /** Fitted on, in a whitening that ignores the places. */
+    private Known.Ignoring further(Known.Ignoring found) {
         Evidence seen = evidence;
-        for (Place place : places) {
+        for (Place place : found.places()) {
             seen = seen.ignoring(place);
         }
-        Fitter fitter = new Fitter(evidence).of(seen, begun.getOrDefault(start, Optional.empty()));
-        Fitter.State state = fitter.glimpse(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
-        return new Known.Ignoring(places, state.x(), state.reduced());
+        Fitter fitter = new Fitter(seen);
+        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), STEPS, 2e-3);
+        return least(List.of(found, new Known.Ignoring(found.places(), state.x(), state.reduced())));
     }
 }

@@ -65,11 +65,12 @@ class LocatorTest {
         Evidence brief = evidence.brief().orElseThrow();
         Locator locator = new Locator(brief, baseline);
         List<Known.Ignoring> pairs = locator.pairs(locator.singles(fitted(evidence, baseline)));
-        // With one end of a link unseen, a force in it is one in the next link: such pairs leave the same.
+        // Beside a force in one of its links, a force in the other moves a body as any fault of its sensor reads: such pairs leave the same.
         List<Set<String>> alike = pairs.stream().filter(pair -> pair.reduced() < 1.02 * pairs.get(0).reduced())
                 .map(pair -> pair.places().stream().map(place -> place.name(evidence)).collect(Collectors.toSet())).toList();
         assertTrue(alike.contains(truth(made)), alike + ", truth " + truth(made));
-        assertTrue(alike.size() < pairs.size() / 4, alike.toString());
+        Set<String> about = Set.of("platform-pelvis", "pelvis-torso", "torso", "pelvis.acc.z");
+        assertTrue(alike.stream().allMatch(about::containsAll), alike.toString());
     }
 
     /** Whatever enters at a place that is ignored, nothing but noise is left; anywhere else it shows. */
