@@ -19,7 +19,7 @@ public record DisplayedNumber(String label, double factor, String unit) {
     private static final Map<String, DisplayedNumber> UNITS = units();
 
     /** Times that are fractions of a second. */
-    private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
+    private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s", "twitch_s");
 
     private static final Map<String,
             String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),

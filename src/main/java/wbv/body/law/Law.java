@@ -84,13 +84,16 @@ public sealed interface Law permits
         motion.stiffness = stiffness;
         motion.damping = damping;
         motion.step = step;
+        double late = lateness() / step;
         for (int j = 1; j < out.length; j++) {
             motion.time = j * step;
             motion.before = displacement[j - 1];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
-            motion.lateDisplacement = earlier(displacement, j - lateness() / step);
-            motion.lateVelocity = earlier(velocity, j - lateness() / step);
+            if (late > 0) {
+                motion.lateDisplacement = earlier(displacement, j - late);
+                motion.lateVelocity = earlier(velocity, j - late);
+            }
             motion.modulation = modulation.length == 0 ? 1 : modulation[j];
             out[j] = force(motion);
             motion.memory = remember(motion);
@@ -98,10 +101,11 @@ public sealed interface Law permits
         return out;
     }
 
+    /** A series between two samples, by a straight line; 0 before the first. */
     private static double earlier(double[] series, double at) {
         int floor = (int) Math.floor(at);
         double share = at - floor;
-        return floor < 0 ? 0 : share == 0 ? series[floor] : series[floor] * (1 - share) + series[floor + 1] * share;
+        return floor < 0 ? 0 : series[floor] + (share > 0 ? share * (series[floor + 1] - series[floor]) : 0);
     }
 
     /** Which way a stop or a muscle works. */

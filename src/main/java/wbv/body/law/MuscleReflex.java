@@ -5,9 +5,8 @@ import wbv.body.number.Key;
 
 /**
  * Muscle that answers the link's motion late, slowly, and only by pulling: what it is told, z, is displacement and velocity a delay ago,
- * low-passed by its twitch (for the soleus 1/e in some tens of milliseconds; Milner-Brown, Stein and Yemm, J. Physiol. 230, 1973), and its
- * force is z where that pulls its way. Two of a pair that pull against each other do both. Memory is the low-passed displacement q [m]:
- * {@code z = k q + c (r - q) / twitch} with r a delay ago, so that no acceleration is asked for.
+ * low-passed by its twitch, and its force is z where that pulls its way; two that pull against each other do both. Memory is the low-passed
+ * displacement q [m]: {@code z = k q + c (r - q) / twitch} with r a delay ago, so that no acceleration is asked for.
  *
  * @param stiffness [N/m], &gt;= 0
  * @param damping [N s/m], &gt;= 0

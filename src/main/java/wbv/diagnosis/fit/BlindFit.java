@@ -11,9 +11,9 @@ import wbv.body.simulate.Simulator;
 /**
  * Fits from one state that are blind to whatever enters at some places: the directions along which that reaches the outputs, one a line and
  * place, are taken out of all that was whitened at the state. With Z the components along them of what products G are of, the products of
- * what is left are {@code G - ZᵀZ}, and Z is as many times shorter than what was whitened as there are outputs: nothing is whitened anew, and
- * hardly a product found. Derivatives stay those of the state, so that few steps are as good as any; what shows then is worth
- * {@link Evidence#ignoring}. Threads may share it.
+ * what is left are {@code G - ZᵀZ}, and Z is as many times shorter than what was whitened as there are outputs: nothing is whitened anew,
+ * and hardly a product found. Derivatives stay those of the state, so that a few steps are as good as any; what leaves little then is worth
+ * a fit by {@link Evidence#ignoring}. Threads may share it.
  */
 public final class BlindFit {
 
@@ -101,8 +101,8 @@ public final class BlindFit {
 
         /** Orthogonal, each of unit length at every line where it shows. */
         private final List<double[]> directions = new ArrayList<>();
-        private final double[][] slopesAlong;
-        private final double[][] errorsAlong;
+        private final Columns slopes;
+        private final Columns errors;
         private final Nuisances small;
         private final double[][] curvature;
         private final double[][] cross;
@@ -113,13 +113,12 @@ public final class BlindFit {
                     directions.add(unit(ways.computeIfAbsent(single, BlindFit.this::way)));
                 }
             }
-            slopesAlong = Arrays.stream(state.slopes()).map(this::along).toArray(double[][]::new);
-            errorsAlong = IntStream.range(0, nuisances.count()).mapToObj(i -> along(nuisances.columns().get(i))).toArray(double[][]::new);
-            Columns errors = new Columns(errorsAlong);
-            Columns slopes = new Columns(slopesAlong);
+            slopes = new Columns(Arrays.stream(state.slopes()).map(this::along).toArray(double[][]::new));
+            errors = new Columns(IntStream.range(0, nuisances.count()).mapToObj(i -> along(nuisances.columns().get(i)))
+                    .toArray(double[][]::new));
             small = nuisances.less(errors.gram());
-            curvature = less(gram, slopes.gram());
-            cross = less(products, errors.products(slopes));
+            curvature = Nuisances.less(gram, slopes.gram());
+            cross = Nuisances.less(products, errors.products(slopes));
         }
 
         private Window window() {
@@ -194,20 +193,15 @@ public final class BlindFit {
             }
             double[] along = along(at.raw());
             double[] with = nuisances.products(at.raw());
-            for (int i = 0; i < with.length; i++) {
-                with[i] -= Fitter.dot(errorsAlong[i], along);
-            }
+            double[] unseen = errors.products(along);
+            Arrays.setAll(with, i -> with[i] - unseen[i]);
             Nuisances.Explained explained = small.explain(with, Fitter.dot(at.raw(), at.raw()) - Fitter.dot(along, along), off);
             double cost = explained.square() + Fitter.dot(explained.errors(), explained.errors());
             for (int i = 0; i < at.x().length; i++) {
                 double pull = at.x()[i] / at.candidate().knobs().get(i).deviation();
                 cost += pull * pull;
             }
-            for (int i = 0; i < errorsAlong.length; i++) {
-                for (int k = 0; k < along.length && explained.errors()[i] != 0; k++) {
-                    along[k] -= explained.errors()[i] * errorsAlong[i][k];
-                }
-            }
+            errors.subtract(explained.errors(), along);
             return new Left(at, explained.errors(), along, explained.square(), cost);
         }
 
@@ -216,34 +210,22 @@ public final class BlindFit {
             int[] free = IntStream.range(0, from.errors.length).filter(i -> !off[i] && !small.isHeld(i, from.errors[i])).toArray();
             SymmetricFactor factor = small.factor(free);
             double[] residual = nuisances.removed(from.at.raw(), from.errors);
+            double[] unseen = slopes.products(from.along);
+            double[][] shared = Arrays.stream(cross).map(all -> IntStream.of(free).mapToDouble(i -> all[i]).toArray())
+                    .toArray(double[][]::new);
             int n = curvature.length;
             double[][] held = new double[n][n];
             double[] gradient = new double[n];
             for (int i = 0; i < n; i++) {
-                double[] follow = factor.solve(only(cross[i], free));
+                double[] follow = factor.solve(shared[i]);
                 double deviation = state.candidate().knobs().get(i).deviation();
                 for (int j = 0; j < n; j++) {
-                    held[i][j] = curvature[i][j] - Fitter.dot(follow, only(cross[j], free)) + (i == j ? 1 / (deviation * deviation) : 0);
+                    held[i][j] = curvature[i][j] - Fitter.dot(follow, shared[j]) + (i == j ? 1 / (deviation * deviation) : 0);
                 }
-                gradient[i] = Fitter.dot(state.slopes()[i], residual) - Fitter.dot(slopesAlong[i], from.along)
+                gradient[i] = Fitter.dot(state.slopes()[i], residual) - unseen[i]
                         + from.at.x()[i] / (deviation * deviation);
             }
             return Normal.step(state.candidate(), from.at.x(), held, gradient, damping);
         }
-    }
-
-    private static double[] only(double[] all, int[] which) {
-        return IntStream.of(which).mapToDouble(i -> all[i]).toArray();
-    }
-
-    private static double[][] less(double[][] all, double[][] some) {
-        double[][] out = new double[all.length][];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = all[i].clone();
-            for (int j = 0; j < out[i].length; j++) {
-                out[i][j] -= some[i][j];
-            }
-        }
-        return out;
     }
 }

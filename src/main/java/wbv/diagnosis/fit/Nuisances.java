@@ -105,14 +105,19 @@ public final class Nuisances {
      * @param unseen products of that part of the columns, by column and column. Not modified.
      */
     Nuisances less(double[][] unseen) {
-        double[][] seen = new double[gram.length][];
-        for (int i = 0; i < seen.length; i++) {
-            seen[i] = gram[i].clone();
-            for (int j = 0; j < seen.length; j++) {
-                seen[i][j] -= unseen[i][j];
+        return new Nuisances(window, sample, errors, columns, less(gram, unseen), delays, way, begun);
+    }
+
+    /** A difference, entry by entry, in their unit. None is modified. */
+    static double[][] less(double[][] all, double[][] some) {
+        double[][] out = new double[all.length][];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = all[i].clone();
+            for (int j = 0; j < out[i].length; j++) {
+                out[i][j] -= some[i][j];
             }
         }
-        return new Nuisances(window, sample, errors, columns, seen, delays, way, begun);
+        return out;
     }
 
     /** What an error of so many standard deviations is of what is known of it. */

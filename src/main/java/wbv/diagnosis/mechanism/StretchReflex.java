@@ -18,7 +18,7 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
  */
 record StretchReflex() implements Mechanism {
 
-    /** Time constant with which a twitch rises [s] (30 to 90 ms: Milner-Brown, Stein and Yemm 1973), and what it may be. */
+    /** Time constant with which a twitch rises [s], some tens of milliseconds (assumed), and what it may be. */
     private static final double TWITCH = 0.05;
     private static final double SHORTEST = 0.01;
     private static final double LONGEST = 0.2;
