@@ -65,7 +65,7 @@ class LocatorTest {
         Evidence brief = evidence.brief().orElseThrow();
         Locator locator = new Locator(brief, baseline);
         List<Known.Ignoring> pairs = locator.pairs(locator.singles(fitted(evidence, baseline)));
-        // Beside a force in one of its links, a force in the other moves a body as any fault of its sensor reads: such pairs leave the same.
+        // Beside a force in one of its links, one in the other moves a body as any fault of its sensor reads: such pairs leave the same.
         List<Set<String>> alike = pairs.stream().filter(pair -> pair.reduced() < 1.02 * pairs.get(0).reduced())
                 .map(pair -> pair.places().stream().map(place -> place.name(evidence)).collect(Collectors.toSet())).toList();
         assertTrue(alike.contains(truth(made)), alike + ", truth " + truth(made));
