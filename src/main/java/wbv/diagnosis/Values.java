@@ -31,6 +31,8 @@ final class Values {
      * How sharp a moment is [s]: what changes in a sitter takes a second or two, and the cost has a kink there, not a parabola.
      */
     private static final double MOMENT = 0.5;
+    /** How much more one muscle's twitch may lag than another's that passes as much (assumed) [s]. */
+    private static final double TWITCH = 0.05;
     private static final int STEPS = 4;
     private static final double SETTLED = 1e-6;
 
@@ -190,6 +192,8 @@ final class Values {
             case SHARE -> OptionalDouble.empty();
             case NONE -> OptionalDouble.of(0);
             case MOMENT -> OptionalDouble.of(MOMENT);
+            case LEAD -> Estimand.of(hypothesis, state().candidate()).stream().filter(other -> other.key().equals("reflex_N_per_m"))
+                    .mapToDouble(stretch -> TWITCH * Math.abs(stretch.value(stretch.u(state.x())))).findFirst();
             // The input's sensor has its own small error, against which this one is seen.
             case GAIN -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
             case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample());

@@ -8,6 +8,8 @@ public enum Doubt {
     NONE,
     /** As sharp as what happened at it. */
     MOMENT,
+    /** What is a matter of a muscle's twitch as well: an answer to speed leads as a slower twitch lags. */
+    LEAD,
     /** The small gain error that every sensor has, on top of which this one comes; likewise the others. */
     GAIN,
     DELAY,

@@ -54,6 +54,11 @@ record StretchReflex() implements Mechanism {
         return rival.kind() instanceof Viscoelasticity || rival.kind() instanceof LearnedForce;
     }
 
+    @Override
+    public Doubt doubt(String key) {
+        return key.equals("reflex_Ns_per_m") ? Doubt.LEAD : Doubt.SHARE;
+    }
+
     /** A muscle may follow stretch alone, or its speed alone. */
     @Override
     public boolean imitatesAt(String key, boolean low) {
