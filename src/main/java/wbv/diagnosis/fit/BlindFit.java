@@ -56,6 +56,11 @@ public final class BlindFit {
         this.products = nuisances.columns().products(slopes);
     }
 
+    /** Where all of it starts: coordinates [1], one a knob. Not a copy. */
+    public double[] start() {
+        return state.x();
+    }
+
     /**
      * What is left where some places are ignored, after a few steps.
      *

@@ -2,9 +2,7 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.BlindFit;
 import wbv.diagnosis.fit.Candidate;
@@ -24,11 +22,18 @@ public final class Locator {
     static final int FEWEST_OUTPUTS = 3;
     private static final int FIRST_STEPS = 6;
     private static final int STEPS = 8;
+    /** Of one that starts anew, before the frame is made again where it stands. */
+    private static final int OWN_STEPS = 3;
+    /** Of those few that leave little then: what they leave is held against noise. */
+    private static final int LAST_STEPS = 20;
     /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
     private static final double HOPELESS = 4;
     /** The same for a last round. */
     private static final double NEAR = 3;
     private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
+    private static final Comparator<Begun> WARMEST = Comparator.comparing(Begun::found, BEST);
+    /** Starts of each place that are tried. */
+    private static final int STARTS = 2;
     /** Of how many places a partner is sought. */
     private static final int FIRSTS = 4;
 
@@ -118,18 +123,29 @@ public final class Locator {
         Fitter fitter = new Fitter(evidence);
         List<BlindFit> blind = Parallel.map(starts, x -> fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit())))
                 .stream().filter(state -> !state.failed()).map(state -> new BlindFit(evidence, fitter.about(state), state)).toList();
-        List<List<Known.Ignoring>> heat = Parallel.map(all,
-                places -> blind.isEmpty() ? List.of(new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY))
-                        : blind.stream().map(fit -> fit.ignoring(places, FIRST_STEPS)).toList());
-        List<Known.Ignoring> warm = sorted(heat.stream().map(Locator::least).toList());
-        double reach = reach(warm, HOPELESS);
-        // From each start, since one that is worse at first may lead lower.
-        List<Known.Ignoring> near = Parallel.map(heat.stream().flatMap(List::stream).filter(each -> each.reduced() <= reach).toList(),
-                this::further);
-        return again(sorted(Stream.concat(near.stream(), warm.stream().filter(each -> each.reduced() > reach))
-                .collect(Collectors.groupingBy(Known.Ignoring::places, LinkedHashMap::new, Collectors.toList())).values().stream()
-                .map(Locator::least).toList()));
+        if (blind.isEmpty()) {
+            return all.stream().map(places -> new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY)).toList();
+        }
+        List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
+                .map(fit -> new Begun(fit.start(), fit.ignoring(places, FIRST_STEPS))).sorted(WARMEST).limit(STARTS).toList());
+        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), HOPELESS);
+        return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
     }
+
+    /** The least of where the warmest leads, and of where fits lead from all starts: steps with another fit's derivatives may go astray. */
+    private Known.Ignoring near(List<Begun> begun) {
+        Known.Ignoring warmest = begun.get(0).found();
+        return Stream.concat(Stream.of(warmest), begun.stream()
+                .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), OWN_STEPS)))
+                .map(each -> further(each, STEPS)).min(BEST).orElseThrow();
+    }
+
+    /**
+     * A fit a little on.
+     *
+     * @param start where it began
+     */
+    private record Begun(double[] start, Known.Ignoring found) {}
 
     private static Known.Ignoring least(List<Known.Ignoring> found) {
         return found.stream().min(BEST).orElseThrow();
@@ -142,7 +158,7 @@ public final class Locator {
      */
     private List<Known.Ignoring> again(List<Known.Ignoring> found) {
         double reach = reach(found, NEAR);
-        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each)));
+        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each, LAST_STEPS)));
     }
 
     /**
@@ -163,13 +179,13 @@ public final class Locator {
     }
 
     /** Fitted on, in a whitening that ignores the places. */
-    private Known.Ignoring further(Known.Ignoring found) {
+    private Known.Ignoring further(Known.Ignoring found, int steps) {
         Evidence seen = evidence;
         for (Place place : found.places()) {
             seen = seen.ignoring(place);
         }
         Fitter fitter = new Fitter(seen);
-        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), STEPS, 2e-3);
+        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, 2e-3);
         return least(List.of(found, new Known.Ignoring(found.places(), state.x(), state.reduced())));
     }
 }
