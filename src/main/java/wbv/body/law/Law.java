@@ -91,21 +91,14 @@ public sealed interface Law permits
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
             if (late > 0) {
-                motion.lateDisplacement = earlier(displacement, j - late);
-                motion.lateVelocity = earlier(velocity, j - late);
+                motion.lateDisplacement = LinkMotion.between(displacement, j - late, out.length);
+                motion.lateVelocity = LinkMotion.between(velocity, j - late, out.length);
             }
             motion.modulation = modulation.length == 0 ? 1 : modulation[j];
             out[j] = force(motion);
             motion.memory = remember(motion);
         }
         return out;
-    }
-
-    /** A series between two samples, by a straight line; 0 before the first. */
-    private static double earlier(double[] series, double at) {
-        int floor = (int) Math.floor(at);
-        double share = at - floor;
-        return floor < 0 ? 0 : series[floor] + (share > 0 ? share * (series[floor + 1] - series[floor]) : 0);
     }
 
     /** Which way a stop or a muscle works. */

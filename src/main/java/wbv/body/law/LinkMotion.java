@@ -27,4 +27,17 @@ public final class LinkMotion {
     public double lateDisplacement;
     /** Velocity {@link Law#lateness} ago [m/s]. */
     public double lateVelocity;
+
+    /**
+     * A series between two samples, by a straight line; 0 before the first.
+     *
+     * @param series by sample, in any unit. Not modified.
+     * @param at where, in samples
+     * @param known how many of its samples count; what comes after is 0
+     */
+    public static double between(double[] series, double at, int known) {
+        int floor = (int) Math.floor(at);
+        double share = at - floor;
+        return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < known ? series[floor + 1] * share : 0);
+    }
 }

@@ -534,9 +534,6 @@ public final class FreeRun {
 
     /** A series some time before a sample, by a straight line between samples; 0 before the start. At least one sample ago. */
     private double earlier(double[] series, int index, double ago) {
-        double at = index - Math.max(1, ago / step);
-        int floor = (int) Math.floor(at);
-        double share = at - floor;
-        return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);
+        return LinkMotion.between(series, index - Math.max(1, ago / step), index);
     }
 }

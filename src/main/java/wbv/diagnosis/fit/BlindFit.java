@@ -201,11 +201,7 @@ public final class BlindFit {
             double[] unseen = errors.products(along);
             Arrays.setAll(with, i -> with[i] - unseen[i]);
             Nuisances.Explained explained = small.explain(with, Fitter.dot(at.raw(), at.raw()) - Fitter.dot(along, along), off);
-            double cost = explained.square() + Fitter.dot(explained.errors(), explained.errors());
-            for (int i = 0; i < at.x().length; i++) {
-                double pull = at.x()[i] / at.candidate().knobs().get(i).deviation();
-                cost += pull * pull;
-            }
+            double cost = at.candidate().withPriors(explained.square() + Fitter.dot(explained.errors(), explained.errors()), at.x());
             errors.subtract(explained.errors(), along);
             return new Left(at, explained.errors(), along, explained.square(), cost);
         }
@@ -218,19 +214,13 @@ public final class BlindFit {
             double[] unseen = slopes.products(from.along);
             double[][] shared = Arrays.stream(cross).map(all -> IntStream.of(free).mapToDouble(i -> all[i]).toArray())
                     .toArray(double[][]::new);
-            int n = curvature.length;
-            double[][] held = new double[n][n];
-            double[] gradient = new double[n];
-            for (int i = 0; i < n; i++) {
-                double[] follow = factor.solve(shared[i]);
+            double[] gradient = new double[curvature.length];
+            for (int i = 0; i < gradient.length; i++) {
                 double deviation = state.candidate().knobs().get(i).deviation();
-                for (int j = 0; j < n; j++) {
-                    held[i][j] = curvature[i][j] - Fitter.dot(follow, shared[j]) + (i == j ? 1 / (deviation * deviation) : 0);
-                }
-                gradient[i] = Fitter.dot(state.slopes()[i], residual) - unseen[i]
-                        + from.at.x()[i] / (deviation * deviation);
+                gradient[i] = Fitter.dot(state.slopes()[i], residual) - unseen[i] + from.at.x()[i] / (deviation * deviation);
             }
-            return Normal.step(state.candidate(), from.at.x(), held, gradient, damping);
+            double[][] followed = Normal.curvature(state.candidate(), curvature, shared, factor::solve);
+            return Normal.step(state.candidate(), from.at.x(), followed, gradient, damping);
         }
     }
 }

@@ -92,6 +92,20 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return added.get(added.size() - 1);
     }
 
+    /**
+     * A cost [1] with what is known of the numbers beforehand: the square of each coordinate over its deviation is added.
+     *
+     * @param x coordinates [1], one a knob. Not modified.
+     */
+    double withPriors(double cost, double[] x) {
+        double all = cost;
+        for (int i = 0; i < x.length; i++) {
+            double pull = x[i] / knobs.get(i).deviation();
+            all += pull * pull;
+        }
+        return all;
+    }
+
     /** This candidate with a hypothesis on top. */
     public Candidate with(Hypothesis hypothesis) {
         List<Hypothesis> all = new ArrayList<>(added);

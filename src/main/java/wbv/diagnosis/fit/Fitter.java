@@ -391,11 +391,7 @@ public final class Fitter {
         double[] raw = evidence.residual(excitation, late.of(response), frame.whitening());
         small.restore(raw, off);
         Nuisances.Explained explained = small.explain(raw, off);
-        double cost = explained.square() + dot(explained.errors(), explained.errors());
-        for (int i = 0; i < x.length; i++) {
-            double pull = x[i] / candidate.knobs().get(i).deviation();
-            cost += pull * pull;
-        }
+        double cost = candidate.withPriors(explained.square() + dot(explained.errors(), explained.errors()), x);
         double[][] columns = new double[slopes ? x.length : 0][];
         Parallel.each(columns.length, i -> columns[i] = i < known.length && !isOwn(candidate, i) ? known[i]
                 : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]),

@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
@@ -42,18 +43,34 @@ public final class Normal {
         this.gram = gram;
         int n = products.length;
         gradient = new double[n];
-        curvature = new double[n][n];
+        curvature = curvature(state.candidate(), gram, products, projection::errors);
         double[] residual = state.residual();
         for (int i = 0; i < n; i++) {
-            double[] follow = projection.errors(products[i]);
-            for (int j = 0; j <= i; j++) {
-                curvature[i][j] = gram[i][j] - Fitter.dot(follow, products[j]);
-                curvature[j][i] = curvature[i][j];
-            }
             double deviation = state.candidate().knobs().get(i).deviation();
             gradient[i] = Fitter.dot(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
-            curvature[i][i] += 1 / (deviation * deviation);
         }
+    }
+
+    /**
+     * Second derivative of half a cost to the coordinates [1], n by n, priors included, where the sensors' errors follow.
+     *
+     * @param gram products of the slopes [1], n by n
+     * @param products of each slope with the errors that follow [1], n long. Neither is modified.
+     * @param follow how these errors follow such products
+     */
+    static double[][] curvature(Candidate candidate, double[][] gram, double[][] products, UnaryOperator<double[]> follow) {
+        int n = gram.length;
+        double[][] out = new double[n][n];
+        for (int i = 0; i < n; i++) {
+            double[] errors = follow.apply(products[i]);
+            for (int j = 0; j <= i; j++) {
+                out[i][j] = gram[i][j] - Fitter.dot(errors, products[j]);
+                out[j][i] = out[i][j];
+            }
+            double deviation = candidate.knobs().get(i).deviation();
+            out[i][i] += 1 / (deviation * deviation);
+        }
+        return out;
     }
 
     /** The same at another state, whose derivatives are these, corrected along the way by what the residual did (Broyden 1965). */

@@ -147,10 +147,6 @@ public final class Locator {
      */
     private record Begun(double[] start, Known.Ignoring found) {}
 
-    private static Known.Ignoring least(List<Known.Ignoring> found) {
-        return found.stream().min(BEST).orElseThrow();
-    }
-
     /**
      * More steps for those that leave little more than the best.
      *
@@ -186,6 +182,6 @@ public final class Locator {
         }
         Fitter fitter = new Fitter(seen);
         Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, 2e-3);
-        return least(List.of(found, new Known.Ignoring(found.places(), state.x(), state.reduced())));
+        return state.reduced() < found.reduced() ? new Known.Ignoring(found.places(), state.x(), state.reduced()) : found;
     }
 }
