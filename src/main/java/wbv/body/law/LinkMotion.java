@@ -29,10 +29,10 @@ public final class LinkMotion {
     public double lateVelocity;
 
     /**
-     * A series between two samples, by a straight line; 0 before the first.
+     * A series between two samples, in its own unit, by a straight line; 0 before the first.
      *
      * @param series by sample, in any unit. Not modified.
-     * @param at where, in samples
+     * @param at where, counted in samples [1]
      * @param known how many of its samples count; what comes after is 0
      */
     public static double between(double[] series, double at, int known) {
