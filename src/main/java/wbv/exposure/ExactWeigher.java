@@ -86,7 +86,7 @@ public final class ExactWeigher implements Weigher {
     static int factor(AnalogFilter filter, double rate) {
         int points = points(pad(filter, rate));
         int factor = (int) Math.ceil(Math.max(1, WORKING_RATE / rate - 1e-9));
-        while (RealDft.covering(points * factor) != points * factor) {
+        while (!RealDft.fits(points * factor)) {
             factor++;
         }
         return factor;

@@ -1,7 +1,10 @@
 package wbv.identify;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.decomposition.chol.CholeskyDecompositionInner_DDRM;
 
 /**
@@ -66,34 +69,78 @@ final class CrossMotions {
      * @param weight 0 or 1 for each sample. Kept.
      */
     On on(double[] weight) {
-        return new On(weight);
+        On on = new On(weight);
+        double[] weighted = new double[samples];
+        for (int i = 0; i < columns.length; i++) {
+            for (int t = on.from; t < on.to; t++) {
+                weighted[t] = weight[t] * columns[i][t];
+            }
+            for (int j = 0; j <= i; j++) {
+                on.add(i, j, dot(weighted, columns[j], on.from, on.to));
+            }
+        }
+        return on;
     }
 
     /** What they can explain of samples of some weight. */
     final class On {
 
         private final double[] weight;
+        /** First sample that counts, and that behind the last. */
+        private final int from;
+        private final int to;
         private final DMatrixRMaj gram;
 
         private On(double[] weight) {
             this.weight = weight;
-            int k = columns.length;
-            gram = new DMatrixRMaj(k, k);
-            double[] weighted = new double[samples];
-            for (int i = 0; i < k; i++) {
-                for (int t = 0; t < samples; t++) {
-                    weighted[t] = weight[t] * columns[i][t];
-                }
-                for (int j = 0; j <= i; j++) {
-                    double sum = dot(weighted, columns[j]);
-                    gram.set(i, j, sum);
-                    gram.set(j, i, sum);
-                }
+            this.from = IntStream.range(0, samples).filter(t -> weight[t] != 0).findFirst().orElse(0);
+            this.to = 1 + IntStream.range(from, samples).map(t -> samples - 1 - t + from).filter(t -> weight[t] != 0).findFirst()
+                    .orElse(from - 1);
+            gram = new DMatrixRMaj(columns.length, columns.length);
+        }
+
+        private void add(int i, int j, double sum) {
+            gram.add(i, j, sum);
+            if (i != j) {
+                gram.add(j, i, sum);
             }
         }
 
         double[] weight() {
             return weight;
+        }
+
+        /**
+         * On these samples without some of them, which costs as much as those are.
+         *
+         * @param less weight of those that stay, 0 or 1 for each sample, 0 wherever it is 0 here. Kept.
+         */
+        On less(double[] less) {
+            On on = new On(less);
+            on.gram.setTo(gram);
+            for (int t = from; t < to; t++) {
+                if (weight[t] != less[t]) {
+                    for (int i = 0; i < columns.length; i++) {
+                        for (int j = 0; j <= i; j++) {
+                            on.add(i, j, -columns[i][t] * columns[j][t]);
+                        }
+                    }
+                }
+            }
+            return on;
+        }
+
+        /**
+         * On these samples and on others.
+         *
+         * @param other with weight on none of these
+         */
+        On and(On other) {
+            double[] both = new double[samples];
+            Arrays.setAll(both, t -> weight[t] + other.weight[t]);
+            On on = new On(both);
+            CommonOps_DDRM.add(gram, other.gram, on.gram);
+            return on;
         }
 
         /**
@@ -106,23 +153,34 @@ final class CrossMotions {
         }
     }
 
-    private double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int t = 0; t < samples; t++) {
-            sum += a[t] * b[t];
+    /** Σ a b over some samples, four sums at a time: one would wait for itself at every sample. */
+    private static double dot(double[] a, double[] b, int from, int to) {
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        int t = from;
+        for (; t + 3 < to; t += 4) {
+            s0 += a[t] * b[t];
+            s1 += a[t + 1] * b[t + 1];
+            s2 += a[t + 2] * b[t + 2];
+            s3 += a[t + 3] * b[t + 3];
         }
-        return sum;
+        for (; t < to; t++) {
+            s0 += a[t] * b[t];
+        }
+        return s0 + s1 + s2 + s3;
     }
 
     /** Least squares on some of the motions. */
     final class Explaining {
 
-        private final double[] weight;
+        private final On on;
         private final int[] index;
         private final DMatrixRMaj factor;
 
         private Explaining(On on, List<Integer> chosen) {
-            weight = on.weight;
+            this.on = on;
             index = new int[TERMS * chosen.size()];
             for (int i = 0; i < index.length; i++) {
                 index[i] = TERMS * chosen.get(i / TERMS) + i % TERMS;
@@ -164,7 +222,7 @@ final class CrossMotions {
             int k = index.length;
             double[] c = new double[k];
             for (int i = 0; i < k; i++) {
-                c[i] = dot(columns[index[i]], x);
+                c[i] = dot(columns[index[i]], x, on.from, on.to);
             }
             for (int i = 0; i < k; i++) {
                 for (int j = 0; j < i; j++) {
@@ -185,8 +243,8 @@ final class CrossMotions {
         void takeOut(double[] x, double[] c) {
             for (int i = 0; i < index.length; i++) {
                 double[] column = columns[index[i]];
-                for (int t = 0; t < samples; t++) {
-                    x[t] -= weight[t] * c[i] * column[t];
+                for (int t = on.from; t < on.to; t++) {
+                    x[t] -= on.weight[t] * c[i] * column[t];
                 }
             }
         }

@@ -10,7 +10,10 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import wbv.signal.GapBridge;
 import wbv.signal.RealDft;
 
-/** Finds the {@link EquivalentBody} between the base and each output of one {@link MotionWindow}. */
+/**
+ * Finds the {@link EquivalentBody} between the base and each output of one {@link MotionWindow}. Immutable: one object may serve many
+ * threads.
+ */
 public final class EquivalentBodies {
 
     /** Corner below which motion counts as gravity and bias [Hz], as the streaming estimators have it. */
@@ -51,7 +54,11 @@ public final class EquivalentBodies {
     private final Parts common;
 
     /** Samples that count: all, those on which rivals are fitted, and those that judge them. */
-    private record Parts(CrossMotions.On all, CrossMotions.On early, CrossMotions.On late) {}
+    private record Parts(CrossMotions.On all, CrossMotions.On early, CrossMotions.On late) {
+        private static Parts of(CrossMotions.On early, CrossMotions.On late) {
+            return new Parts(early.and(late), early, late);
+        }
+    }
 
     /**
      * Bridges and levels what moves the base, which all outputs share.
@@ -79,15 +86,22 @@ public final class EquivalentBodies {
     }
 
     private Parts parts(boolean[] counts) {
-        double[] all = new double[n];
-        double[] early = new double[n];
-        double[] late = new double[n];
         int cut = (int) (FITTED * n);
-        for (int t = 0; t < n; t++) {
-            all[t] = counts[t] ? 1 : 0;
-            (t < cut ? early : late)[t] = all[t];
+        return Parts.of(crossing.on(weight(counts, 0, cut)), crossing.on(weight(counts, cut, n)));
+    }
+
+    /** The same where an output misses some samples. */
+    private Parts less(boolean[] counts) {
+        int cut = (int) (FITTED * n);
+        return Parts.of(common.early.less(weight(counts, 0, cut)), common.late.less(weight(counts, cut, n)));
+    }
+
+    private double[] weight(boolean[] counts, int from, int to) {
+        double[] weight = new double[n];
+        for (int t = from; t < to; t++) {
+            weight[t] = counts[t] ? 1 : 0;
         }
-        return new Parts(crossing.on(all), crossing.on(early), crossing.on(late));
+        return weight;
     }
 
     /** An input without gaps and offset. Where it is missing for long, nothing counts until that is forgotten. */
@@ -151,7 +165,7 @@ public final class EquivalentBodies {
             y[t] -= mean;
             power += counts[t] ? y[t] * y[t] : 0;
         }
-        return power >= Double.MIN_NORMAL ? of(y, power, Arrays.equals(counts, sound) ? common : parts(counts), degrees) : Optional.empty();
+        return power >= Double.MIN_NORMAL ? of(y, power, Arrays.equals(counts, sound) ? common : less(counts), degrees) : Optional.empty();
     }
 
     private Optional<EquivalentBody> of(double[] y, double power, Parts parts, int degrees) {

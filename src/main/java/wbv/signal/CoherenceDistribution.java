@@ -1,8 +1,10 @@
 package wbv.signal;
 
+import java.util.function.DoubleUnaryOperator;
+import org.apache.commons.math3.analysis.solvers.BrentSolver;
 import org.apache.commons.math3.special.Beta;
 import org.apache.commons.math3.special.Erf;
-import org.apache.commons.math3.special.Gamma;
+import org.apache.commons.math3.util.ResizableDoubleArray;
 
 /**
  * How an estimated coherence scatters about the true one.
@@ -20,6 +22,7 @@ public record CoherenceDistribution(double averages, int inputs) {
     /** Weight of the mixture that may be left out. */
     private static final double NEGLIGIBLE = 1e-10;
     private static final double CLOSE = 1e-9;
+    private static final int LOOKS = 200;
     /**
      * Averages from which on Fisher's z = artanh γ is normal enough: mean bias 1/(2n - 2) for each input, variance 1/(2n - 2)
      * (Enochson and Goodman, AFFDL TR-65-57, 1965); the mixture has as many terms as averages.
@@ -48,27 +51,7 @@ public record CoherenceDistribution(double averages, int inputs) {
      */
     public double cumulative(double estimate, double truth) {
         requireShare("estimate", estimate, 1);
-        requireShare("true coherence", truth, Math.nextDown(1.0));
-        if (estimate == 0 || estimate == 1) {
-            return estimate;
-        }
-        if (truth > 0 && averages > MANY) {
-            double z = atanh(Math.sqrt(estimate)) - atanh(Math.sqrt(truth)) - inputs / (2 * averages - 2);
-            return 0.5 * Erf.erfc(-z * Math.sqrt(averages - 1));
-        }
-        // Upwards the weights, downwards the distributions: I_x(a, b) = I_x(a+1, b) + x^a (1-x)^b / (a B(a, b)), all positive.
-        int last = truth == 0 ? 0 : lastTerm(truth);
-        double b = averages - inputs;
-        double beta = Beta.regularizedBeta(estimate, inputs + last, b);
-        double sum = 0;
-        for (int j = last; j >= 0; j--) {
-            sum += weight(j, truth) * beta;
-            if (j > 0) {
-                double a = inputs + j - 1;
-                beta += Math.exp(a * Math.log(estimate) + b * Math.log1p(-estimate) - Math.log(a) - Beta.logBeta(a, b));
-            }
-        }
-        return Math.min(1, sum);
+        return of(truth).applyAsDouble(estimate);
     }
 
     /**
@@ -81,38 +64,60 @@ public record CoherenceDistribution(double averages, int inputs) {
         if (!(chance > 0 && chance < 1)) {
             throw new IllegalArgumentException("chance must be between 0 and 1: " + chance);
         }
-        double low = 0;
-        double high = 1;
-        while (high - low > CLOSE) {
-            double middle = (low + high) / 2;
-            if (cumulative(middle, truth) < chance) {
-                low = middle;
-            } else {
-                high = middle;
+        DoubleUnaryOperator cumulative = of(truth);
+        return new BrentSolver(CLOSE).solve(LOOKS, x -> cumulative.applyAsDouble(x) - chance, 0, 1);
+    }
+
+    /** The chance that an estimate is at most a value, of one true coherence. */
+    private DoubleUnaryOperator of(double truth) {
+        requireShare("true coherence", truth, Math.nextDown(1.0));
+        DoubleUnaryOperator within = truth > 0 && averages > MANY ? estimate -> normal(estimate, truth) : mixture(truth);
+        return estimate -> estimate == 0 || estimate == 1 ? estimate : within.applyAsDouble(estimate);
+    }
+
+    private double normal(double estimate, double truth) {
+        double z = atanh(Math.sqrt(estimate)) - atanh(Math.sqrt(truth)) - inputs / (2 * averages - 2);
+        return 0.5 * Erf.erfc(-z * Math.sqrt(averages - 1));
+    }
+
+    private DoubleUnaryOperator mixture(double truth) {
+        double[] weights = weights(truth);
+        double b = averages - inputs;
+        return x -> {
+            // Upwards the weights, downwards the distributions: I_x(a, b) = I_x(a+1, b) + x^a (1-x)^b / (a B(a, b)), all positive.
+            double a = inputs + weights.length - 1.0;
+            double beta = Beta.regularizedBeta(x, a, b);
+            double step = a * Math.log(x) + b * Math.log1p(-x) - Math.log(a) - Beta.logBeta(a, b);
+            double sum = weights[weights.length - 1] * beta;
+            for (int j = weights.length - 2; j >= 0; j--) {
+                step += Math.log(a / (x * (a - 1 + b)));
+                a--;
+                beta += Math.exp(step);
+                sum += weights[j] * beta;
             }
-        }
-        return (low + high) / 2;
+            return Math.min(1, sum);
+        };
     }
 
     private static double atanh(double x) {
         return 0.5 * (Math.log1p(x) - Math.log1p(-x));
     }
 
-    /** The negative binomial weight of term j. */
-    private double weight(int j, double truth) {
-        return truth == 0 ? 1 : Math.exp(Gamma.logGamma(averages + j) - Gamma.logGamma(averages) - Gamma.logGamma(j + 1.0)
-                + j * Math.log(truth) + averages * Math.log1p(-truth));
-    }
-
-    private int lastTerm(double truth) {
-        int j = 0;
-        double left = 1;
-        double mode = averages * truth / (1 - truth);
-        while (left > NEGLIGIBLE && (j < mode || weight(j, truth) > NEGLIGIBLE * (1 - truth))) {
-            left -= weight(j, truth);
-            j++;
+    /** The negative binomial weights, until what is left of them is negligible. */
+    private double[] weights(double truth) {
+        if (truth == 0) {
+            return new double[] {1};
         }
-        return j;
+        ResizableDoubleArray out = new ResizableDoubleArray();
+        double mode = averages * truth / (1 - truth);
+        double log = averages * Math.log1p(-truth);
+        double left = 1;
+        for (int j = 0; left > NEGLIGIBLE && (j < mode || Math.exp(log) > NEGLIGIBLE * (1 - truth)); j++) {
+            out.addElement(Math.exp(log));
+            left -= Math.exp(log);
+            log += Math.log(truth * (averages + j) / (j + 1));
+        }
+        return out.getElements();
     }
 
     private static void requireShare(String what, double value, double most) {

@@ -19,7 +19,7 @@ public final class RealDft {
      * @param length points N, even, with no prime factor above 5
      */
     public RealDft(int length) {
-        if (length != fitting(length)) {
+        if (!fits(length)) {
             throw new IllegalArgumentException("length of a transform must be even with factors 2, 3 and 5 only: " + length);
         }
         this.length = length;
@@ -38,18 +38,14 @@ public final class RealDft {
      * @param most at least 2
      */
     public static int fitting(int most) {
-        for (int n = most - most % 2; n >= 2; n -= 2) {
-            int rest = n;
-            for (int prime : new int[] {2, 3, 5}) {
-                while (rest % prime == 0) {
-                    rest /= prime;
-                }
-            }
-            if (rest == 1) {
-                return n;
-            }
+        if (most < 2) {
+            throw new IllegalArgumentException("a transform needs at least 2 points: " + most);
         }
-        throw new IllegalArgumentException("a transform needs at least 2 points: " + most);
+        int n = most - most % 2;
+        while (!fits(n)) {
+            n -= 2;
+        }
+        return n;
     }
 
     /**
@@ -59,10 +55,24 @@ public final class RealDft {
      */
     public static int covering(int least) {
         int n = least + least % 2;
-        while (fitting(n) != n) {
+        while (!fits(n)) {
             n += 2;
         }
         return n;
+    }
+
+    /** Whether a sequence of n values can be transformed. */
+    public static boolean fits(int n) {
+        if (n < 2 || n % 2 != 0) {
+            return false;
+        }
+        int rest = n;
+        for (int prime : new int[] {2, 3, 5}) {
+            while (rest % prime == 0) {
+                rest /= prime;
+            }
+        }
+        return rest == 1;
     }
 
     /** Points N of the sequence. */

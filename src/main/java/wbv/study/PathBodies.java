@@ -1,7 +1,7 @@
 package wbv.study;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import wbv.identify.EquivalentBodies;
 import wbv.identify.EquivalentBody;
 import wbv.identify.MotionWindow;
@@ -64,23 +64,21 @@ final class PathBodies {
      * @param degrees as {@link EquivalentBodies#of} has it
      */
     List<PathBody> bodies(int degrees) {
-        List<PathBody> found = new ArrayList<>();
         if (window.length() == 0) {
-            outputs.forEach(output -> found.add(PathBody.none(output, "nothing was recorded")));
-            return found;
+            return outputs.stream().map(output -> PathBody.none(output, "nothing was recorded")).toList();
         }
         EquivalentBodies fits = new EquivalentBodies(window, motions.size());
-        for (int i = 0; i < outputs.size(); i++) {
-            Channel output = outputs.get(i);
-            if (kind(input) != kind(output)) {
-                found.add(PathBody.none(output, "a body is followed from acceleration to acceleration, or from rate to rate"));
-                continue;
-            }
-            double[] y = window.channel(1 + motions.size() + i);
-            found.add(fits.of(y, degrees).map((EquivalentBody body) -> PathBody.of(output, body, motions, window.rate()))
-                    .orElseGet(() -> PathBody.none(output, moves(y) ? "too little motion, or too short" : "nothing moves")));
+        return IntStream.range(0, outputs.size()).parallel().mapToObj(i -> body(fits, i, degrees)).toList();
+    }
+
+    private PathBody body(EquivalentBodies fits, int i, int degrees) {
+        Channel output = outputs.get(i);
+        if (kind(input) != kind(output)) {
+            return PathBody.none(output, "a body is followed from acceleration to acceleration, or from rate to rate");
         }
-        return found;
+        double[] y = window.channel(1 + motions.size() + i);
+        return fits.of(y, degrees).map((EquivalentBody body) -> PathBody.of(output, body, motions, window.rate()))
+                .orElseGet(() -> PathBody.none(output, moves(y) ? "too little motion, or too short" : "nothing moves"));
     }
 
     private static boolean moves(double[] y) {

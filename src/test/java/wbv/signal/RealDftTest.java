@@ -1,6 +1,7 @@
 package wbv.signal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Random;
@@ -42,6 +43,8 @@ class RealDftTest {
     void fittingLengthsHaveSmallFactorsOnly() {
         assertEquals(6000, RealDft.fitting(6001));
         assertEquals(5832, RealDft.fitting(5999 - 100));
+        assertEquals(6000, RealDft.covering(5833));
+        assertFalse(RealDft.fits(3));
         assertThrows(IllegalArgumentException.class, () -> new RealDft(14));
     }
 }
