@@ -12,10 +12,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
-import wbv.filter.BodyEstimate;
 import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -23,6 +24,7 @@ import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.Relay;
+import wbv.recording.inspect.RowBlock;
 import wbv.recording.inspect.UniformReader;
 import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;
@@ -65,6 +67,7 @@ public final class Analysis {
     private final Spectrogram outputSpectrogram;
     private final int leading;
     private final GapBridge[] bridges;
+    private final double[] answers;
     private final PathBodies paths;
     private List<PathBody> bodies = List.of();
     private final GapBridge inputPicture;
@@ -100,6 +103,7 @@ public final class Analysis {
         outputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
         leading = leading(outputs);
         bridges = new GapBridge[1 + outputs.size()];
+        answers = new double[outputs.size()];
         int curved = Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate));
         Arrays.setAll(bridges, i -> new GapBridge(curved));
         int straight = Math.max(curved, (int) (PICTURED_BRIDGE * segmentation.length()));
@@ -179,64 +183,41 @@ public final class Analysis {
 
     private void follow(OutputFolder out, String ending, BiConsumer<String, Double> progress) throws IOException {
         List<Channel> outputs = outputs();
-        try (UniformReader reader = request.source().uniform(inspection);
-                TrackFile csv = tracks(out.file("tracks.csv" + ending), outputs);
-                TrackFile arff = tracks(out.file("tracks.arff" + ending), outputs)) {
-            int inputColumn = 1 + reader.channels().indexOf(input);
-            int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
-            int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
-            double[] others = new double[crossing.length];
-            double[] row = new double[1 + reader.channels().size()];
-            double[] y = new double[columns.length];
+        try (UniformReader reader = request.source().uniform(inspection); BodyTracks tracks = new BodyTracks()) {
+            tracks.into(tracks(out.file("tracks.csv" + ending), outputs));
+            tracks.into(tracks(out.file("tracks.arff" + ending), outputs));
+            followed.forEach(one -> tracks.follow(one, reader, input, List.of()));
+            List<Consumer<RowBlock>> takers = new ArrayList<>(tracks.takers());
             Optional<SeatMeter> meter = meter(reader.channels());
-            int[] seated = states.stream().flatMap(each -> each.model().features().channels().stream())
-                    .mapToInt(channel -> 1 + reader.channels().indexOf(channel)).toArray();
-            double[] sat = new double[seated.length];
+            meter.ifPresent(each -> takers.add(RowBlock.each(each::accept)));
+            states.ifPresent(each -> takers.add(RowBlock.each(reader, each.model().features().channels(), each::accept)));
+            takers.add(RowBlock.each(reader, paths.channels(), paths::accept));
+            takers.add(RowBlock.each(reader, List.of(input, outputs.get(leading)), motion -> picture(motion[0], motion[1])));
+            takers.add(RowBlock.each(reader, Stream.concat(Stream.of(input), outputs.stream()).toList(), this::average));
             otherAxes = new OtherAxes(inspection, List.of(input), outputs, spectra.segmentation(), reader.channels());
-            for (long sample = 1; reader.read(row); sample++) {
-                meter.ifPresent(each -> each.accept(row));
-                for (int i = 0; i < sat.length; i++) {
-                    sat[i] = row[seated[i]];
-                }
-                states.ifPresent(each -> each.accept(sat));
-                double u = row[inputColumn];
-                waveforms.get(input).accept(u);
-                csv.begin(row[0]);
-                arff.begin(row[0]);
-                for (int i = 0; i < y.length; i++) {
-                    y[i] = row[columns[i]];
-                    waveforms.get(outputs.get(i)).accept(y[i]);
-                    BodyEstimate track = followed.get(i).accept(u, y[i]);
-                    csv.add(track);
-                    arff.add(track);
-                }
-                csv.end();
-                arff.end();
-                for (int i = 0; i < others.length; i++) {
-                    others[i] = row[crossing[i]];
-                }
-                paths.accept(u, others, y);
-                picture(u, y[leading]);
-                average(u, y);
-                otherAxes.accept(row);
-                if (sample % 2048 == 0) {
-                    progress.accept("analysing", reader.fractionRead());
-                }
+            takers.add(RowBlock.each(otherAxes::accept));
+            waveforms.forEach(
+                    (channel, waveform) -> takers.add(RowBlock.each(reader, List.of(channel), motion -> waveform.accept(motion[0]))));
+            RowBlock block = new RowBlock(1 + reader.channels().size());
+            while (block.read(reader)) {
+                block.show(takers);
+                tracks.write(block);
+                progress.accept("analysing", reader.fractionRead());
             }
             for (int late = inputPicture.delay(); late > 0; late--) {
                 picture(Double.NaN, Double.NaN);
             }
+            double[] nothing = new double[bridges.length];
+            Arrays.fill(nothing, Double.NaN);
             for (int late = bridges[0].delay(); late > 0; late--) {
-                Arrays.fill(y, Double.NaN);
-                average(Double.NaN, y);
+                average(nothing);
             }
             otherAxes.finish();
             relay = reader.relay();
             metadata = reader.metadata();
             states.ifPresent(StateRuns::finish);
             exposure = meter.flatMap(each -> unless(() -> each.finish(metadata)));
-            csv.finish();
-            arff.finish();
+            tracks.finish();
         }
         progress.accept("fitting", Double.NaN);
         bodies = paths.bodies(0);
@@ -249,18 +230,18 @@ public final class Analysis {
     /**
      * Takes a sample into the spectra, where short gaps are bridged.
      *
-     * @param y Modified.
+     * @param motion of the input, then of the outputs. Not modified.
      */
-    private void average(double u, double[] y) {
-        double x = bridges[0].accept(u);
-        for (int i = 0; i < y.length; i++) {
-            y[i] = bridges[1 + i].accept(y[i]);
+    private void average(double[] motion) {
+        double x = bridges[0].accept(motion[0]);
+        for (int i = 0; i < answers.length; i++) {
+            answers[i] = bridges[1 + i].accept(motion[1 + i]);
         }
         if (warmUp > 0) {
             warmUp--;
             return;
         }
-        spectra.accept(x, y);
+        spectra.accept(x, answers);
     }
 
     /** Takes a sample into the spectrograms, where a gap costs no segment unless it is a good part of it. */

@@ -2,6 +2,7 @@ package wbv.study;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.identify.EquivalentBodies;
 import wbv.identify.EquivalentBody;
 import wbv.identify.MotionWindow;
@@ -21,7 +22,6 @@ final class PathBodies {
     private final List<Channel> motions;
     private final List<Channel> outputs;
     private final MotionWindow window;
-    private final double[] values;
 
     /** @param motions other motions of the base, which may move the outputs too */
     PathBodies(double rate, Channel input, List<Channel> motions, List<Channel> outputs) {
@@ -29,7 +29,6 @@ final class PathBodies {
         this.motions = List.copyOf(motions);
         this.outputs = List.copyOf(outputs);
         this.window = new MotionWindow(rate, 1 + motions.size() + outputs.size(), CAPACITY);
-        this.values = new double[1 + motions.size() + outputs.size()];
     }
 
     /** What else of the base's motion was recorded: its accelerations and angular rates along and about the other axes. */
@@ -45,16 +44,17 @@ final class PathBodies {
         return motions;
     }
 
+    /** What {@link #accept} takes: the input, the other motions, the outputs. */
+    List<Channel> channels() {
+        return Stream.of(List.of(input), motions, outputs).flatMap(List::stream).toList();
+    }
+
     /**
      * Takes a sample; NaN is missing.
      *
-     * @param crossing of the motions
-     * @param y of the outputs
+     * @param values one a channel of {@link #channels}, in its unit. Not modified.
      */
-    void accept(double u, double[] crossing, double[] y) {
-        values[0] = u;
-        System.arraycopy(crossing, 0, values, 1, crossing.length);
-        System.arraycopy(y, 0, values, 1 + crossing.length, y.length);
+    void accept(double[] values) {
         window.accept(values);
     }
 

@@ -6,13 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import wbv.filter.BodyEstimate;
 import wbv.learn.Detectors;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.RowBlock;
 import wbv.recording.inspect.UniformReader;
 import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;
@@ -87,57 +88,24 @@ public final class Tracking {
     }
 
     private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
-        List<TrackFile> files = new ArrayList<>();
-        try (UniformReader reader = request.source().uniform(inspection)) {
+        try (UniformReader reader = request.source().uniform(inspection); BodyTracks tracks = new BodyTracks()) {
             for (String name : FILES) {
-                files.add(file(out.file(name)));
+                tracks.into(file(out.file(name)));
             }
-            int inputColumn = 1 + reader.channels().indexOf(input);
-            int[] columns = followed.stream().mapToInt(one -> 1 + reader.channels().indexOf(one.channel())).toArray();
-            int[] crossing = request.others().stream().mapToInt(other -> 1 + reader.channels().indexOf(other)).toArray();
-            double[] others = new double[crossing.length];
-            int[] moving = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
-            int[] answering = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
-            double[] motions = new double[moving.length];
-            double[] y = new double[answering.length];
-            double[] row = new double[1 + reader.channels().size()];
-            for (long sample = 1; reader.read(row); sample++) {
-                inputSamples.accept(row[inputColumn]);
-                pick(row, crossing, others);
-                for (TrackFile file : files) {
-                    file.begin(row[0]);
-                }
-                for (int i = 0; i < columns.length; i++) {
-                    BodyEstimate track = followed.get(i).accept(row[inputColumn], others, row[columns[i]]);
-                    for (TrackFile file : files) {
-                        file.add(track);
-                    }
-                }
-                for (TrackFile file : files) {
-                    file.end();
-                }
-                paths.accept(row[inputColumn], pick(row, moving, motions), pick(row, answering, y));
-                if (sample % 1024 == 0) {
-                    progress.accept("tracking", reader.fractionRead());
-                }
+            followed.forEach(one -> tracks.follow(one, reader, input, request.others()));
+            List<Consumer<RowBlock>> takers = new ArrayList<>(tracks.takers());
+            takers.add(RowBlock.each(reader, List.of(input), motion -> inputSamples.accept(motion[0])));
+            takers.add(RowBlock.each(reader, paths.channels(), paths::accept));
+            RowBlock block = new RowBlock(1 + reader.channels().size());
+            while (block.read(reader)) {
+                block.show(takers);
+                tracks.write(block);
+                progress.accept("tracking", reader.fractionRead());
             }
-            for (TrackFile file : files) {
-                file.finish();
-            }
+            tracks.finish();
             progress.accept("fitting", Double.NaN);
             bodies = paths.bodies(request.degrees());
-        } finally {
-            for (TrackFile file : files) {
-                file.close();
-            }
         }
-    }
-
-    private static double[] pick(double[] row, int[] columns, double[] to) {
-        for (int i = 0; i < columns.length; i++) {
-            to[i] = row[columns[i]];
-        }
-        return to;
     }
 
     private TrackFile file(Path path) throws IOException {

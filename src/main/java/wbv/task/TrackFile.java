@@ -38,11 +38,6 @@ public final class TrackFile implements Closeable {
             "excited");
 
     private static final String ZIPPED = ".gz";
-    /** Digits of a standard deviation that are kept. */
-    private static final int DIGITS = 3;
-    /** Decimals beyond which a number is written as it is. */
-    private static final int MOST_DECIMALS = 12;
-
     /** How a file is written, by the end of its name. */
     private enum Format { CSV, ARFF, JSON }
 
@@ -69,13 +64,13 @@ public final class TrackFile implements Closeable {
     private final Writer out;
     private final Format format;
     private final String missing;
-    private final boolean exact;
+    private final TrackCells own;
     private final StringBuilder line = new StringBuilder();
     private boolean begun;
 
     private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance, boolean exact) throws IOException {
         this.format = format;
-        this.exact = exact;
+        this.own = new TrackCells(exact);
         this.file = AtomicFile.begin(path);
         this.out = new BufferedWriter(new OutputStreamWriter(path.toString().toLowerCase(Locale.ROOT).endsWith(ZIPPED)
                 ? new GZIPOutputStream(file.stream(), 1 << 16) : file.stream(), StandardCharsets.UTF_8));
@@ -184,18 +179,18 @@ public final class TrackFile implements Closeable {
 
     /** Adds the next body to the line. */
     public void add(BodyEstimate track) {
-        for (int m = 0; m < track.modes(); m++) {
-            known(track.frequency(m), track.frequencyDeviation(m));
-            known(track.damping(m), track.dampingDeviation(m));
-        }
-        if (track.modes() == 2) {
-            number(track.share());
-        }
-        number(rounded(track.prediction(), track.outputNoise()));
-        number(rounded(track.outputNoise(), track.outputNoise()));
-        number(rounded(track.nis(), track.nis()));
-        line.append(',').append(track.heardBy().ordinal()).append(track.changed() ? ",1," : ",0,").append(track.width())
-                .append(track.excited() ? ",1" : ",0");
+        own.clear();
+        own.add(track);
+        add(own, 0);
+    }
+
+    /**
+     * Adds the next body to the line.
+     *
+     * @param row of the sample among those of the cells, from 0
+     */
+    public void add(TrackCells cells, int row) {
+        cells.appendTo(line, row, missing, format != Format.JSON);
     }
 
     /** Ends the line. */
@@ -204,32 +199,6 @@ public final class TrackFile implements Closeable {
             out.append(line.append(format == Format.JSON ? ']' : '\n'));
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
-        }
-    }
-
-    /** A number and its standard deviation. */
-    private void known(double value, double deviation) {
-        number(rounded(value, deviation));
-        number(rounded(deviation, deviation));
-    }
-
-    /** A number as far as it goes for one that is off by so much. */
-    private double rounded(double value, double deviation) {
-        double decimals = DIGITS - 1 - Math.floor(Math.log10(Math.abs(deviation)));
-        if (exact || !(decimals <= MOST_DECIMALS) || !Double.isFinite(value)) {
-            return value;
-        }
-        double scale = Math.pow(10, Math.max(0, decimals));
-        double rounded = Math.rint(value * scale) / scale;
-        return Double.isFinite(rounded) ? rounded : value;
-    }
-
-    private void number(double value) {
-        line.append(',');
-        if (Double.isNaN(value) || format == Format.JSON && Double.isInfinite(value)) {
-            line.append(missing);
-        } else {
-            line.append(value);
         }
     }
 

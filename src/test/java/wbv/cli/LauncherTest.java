@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -148,6 +149,25 @@ class LauncherTest {
         try (Stream<Path> files = Files.list(target)) {
             assertEquals(4, files.count(), "lib, jar, archive and lock");
         }
+    }
+
+    /** What reads a short recording once is over before the second compiler pays; a long one, or who knows how long, is not. */
+    @Test
+    void shortRecordingsAreReadWithTheFirstCompilerAlone() throws Exception {
+        start();
+        Path ride = Files.writeString(room.resolve("ride.csv"), "t,seat.acc.z\n");
+        String plain = "-XX:TieredStopAtLevel=1";
+        assertTrue(last(start("warning\n", "analyze", ride.toString(), "--out", "out")).contains(plain));
+        assertFalse(last(start("warning\n", "analyze", "-")).contains(plain));
+        assertFalse(last(start("warning\n", "diagnose", ride.toString())).contains(plain));
+        try (RandomAccessFile file = new RandomAccessFile(ride.toFile(), "rw")) {
+            file.setLength(30_000_000);
+        }
+        assertFalse(last(start("warning\n", "analyze", ride.toString())).contains(plain));
+    }
+
+    private static String last(List<String> asked) {
+        return asked.get(asked.size() - 1);
     }
 
     @Test

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Consumer;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -51,6 +54,32 @@ class UniformReaderTest {
             assertEquals(new Relay(1970, 2000, 30, 0, 0, 0), reader.relay());
             assertEquals("1970 rows laid on 2000 samples of a uniform clock, 30 missing and left empty.",
                     reader.relay().sentence());
+        }
+    }
+
+    /** Blocks show every row once and in order to each who looks, whatever is left over for the last. */
+    @Test
+    void blocksShowWhatRowsShow() throws IOException {
+        for (int count : new int[] {511, 512, 1025}) {
+            RecordingFile file = file(count, i -> i % 100 != 50, i -> i / 50.0, i -> i);
+            Inspection inspection = file.inspect();
+            List<String> expected = new ArrayList<>();
+            try (UniformReader reader = file.uniform(inspection)) {
+                Samples.rows(reader).forEach(row -> expected.add(Arrays.toString(row)));
+            }
+            List<String> rows = new ArrayList<>();
+            List<Double> values = new ArrayList<>();
+            try (UniformReader reader = file.uniform(inspection)) {
+                RowBlock block = new RowBlock(1 + reader.channels().size());
+                List<Consumer<RowBlock>> takers = List.of(RowBlock.each(row -> rows.add(Arrays.toString(row))),
+                        RowBlock.each(reader, List.of(Samples.HEAD), motion -> values.add(motion[0])));
+                while (block.read(reader)) {
+                    block.show(takers);
+                }
+            }
+            assertEquals(expected, rows);
+            assertEquals(count, values.size());
+            assertEquals(count - 1.0, values.get(count - 1));
         }
     }
 
