@@ -16,7 +16,7 @@ class DocumentsTest {
     private static final Pattern NOTE = Pattern.compile("\\*(Older: commit|Commit) [0-9a-f]{7,}\\b.*\\. Command: .+\\*");
 
     @ParameterizedTest
-    @ValueSource(strings = {"thesis.md", "proof.md", "proof-real.md", "benchmarks.md", "export.md", "seat.md"})
+    @ValueSource(strings = {"thesis.md", "proof.md", "proof-history.md", "proof-real.md", "benchmarks.md", "export.md", "seat.md"})
     void everyTableNamesItsCommandAndItsCommit(String name) throws IOException {
         List<String> lines = Files.readAllLines(Path.of("docs", name));
         for (int i = 0; i < lines.size(); i++) {

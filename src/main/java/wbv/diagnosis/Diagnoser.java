@@ -132,7 +132,9 @@ public final class Diagnoser {
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
         boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
-        if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
+        // What is plain in the data of the fit need not be looked for elsewhere, however much more others show, as louder ones do.
+        boolean faint = base.reduced() < Refinement.PLAIN && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced();
+        if (!evidence.onRig() && !asked && faint) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
             // not show it.
