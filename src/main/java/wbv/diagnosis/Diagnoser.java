@@ -132,17 +132,30 @@ public final class Diagnoser {
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
         boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
-        // What is plain in the data of the fit need not be looked for elsewhere, however much more others show, as louder ones do.
-        boolean faint = base.reduced() < Refinement.PLAIN && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced();
-        if (!evidence.onRig() && !asked && faint) {
-            Diagnosed later = new Diagnoser(evidence.late(), progress).run();
-            // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
-            // not show it.
-            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later)
-                    : later;
+        if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
+            return louderLater(baseline, base);
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
+    }
+
+    /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
+    private Diagnosed louderLater(Candidate baseline, Fitter.State base) {
+        Optional<Diagnosed> here = Optional.of(base).filter(fit -> fit.reduced() > Refinement.PLAIN).map(fit -> searched(baseline, fit));
+        if (here.filter(Diagnoser::isByHypothesis).isPresent()) {
+            return here.get();
+        }
+        Diagnosed later = new Diagnoser(evidence.late(), progress).run();
+        // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
+        // not show it.
+        return isUnexplained(later)
+                ? Optional.of(here.orElseGet(() -> searched(baseline, base))).filter(found -> !isUnexplained(found)).orElse(later)
+                : later;
+    }
+
+    /** Whether a hypothesis explains the mismatch: a push, which may be anything, is none. */
+    private static boolean isByHypothesis(Diagnosed diagnosed) {
+        return !isUnexplained(diagnosed) && diagnosed.fits.best() != diagnosed.fits.base();
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
