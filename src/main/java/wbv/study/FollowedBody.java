@@ -33,7 +33,6 @@ public final class FollowedBody {
     private static final int MOST_CUTS = 500;
     /** Probability of a false cut at one look, as the MOA learner has it by default. */
     private static final double DELTA = 0.002;
-    private static final double[] ALONE = new double[0];
     /** Predictions count from then on [s]: before, the body is not known. */
     private static final double WARM_UP = 10;
     /** Output and input move as one if their difference is no larger than the prediction's error, or hardly. */
@@ -108,11 +107,6 @@ public final class FollowedBody {
      */
     static FollowedBody usual(Channel channel, Spec spec, boolean follows) {
         return new FollowedBody(channel, EstimatorDesign.of(Method.EKF_ADWIN), follows, spec, () -> new AdwinAlarm(DELTA), 0);
-    }
-
-    /** Takes a sample where the base moves in no other way; NaN is missing. Returns the track after it. */
-    BodyEstimate accept(double u, double y) {
-        return accept(u, ALONE, y);
     }
 
     /**
