@@ -3,8 +3,8 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.List;
 import wbv.diagnosis.fit.Evidence;
-import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Window;
+import wbv.signal.ScalarProduct;
 
 /** Bands in which errors are told: edges at 1, 2, 5, 10 Hz and so on, as far as there is signal. */
 final class Bands {
@@ -24,7 +24,7 @@ final class Bands {
         double total = 0;
         for (int o = 0; o < evidence.outputs().size(); o++) {
             double[] y = window.spectrum(evidence.measured(o), evidence.valid(o));
-            double size = Fitter.dot(y, y);
+            double size = ScalarProduct.of(y, y);
             for (int line = 0; line < power.length && size > 0; line++) {
                 double part = (y[2 * line] * y[2 * line] + y[2 * line + 1] * y[2 * line + 1]) / size;
                 power[line] += part;

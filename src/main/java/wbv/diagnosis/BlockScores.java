@@ -6,6 +6,7 @@ import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.fit.Window;
+import wbv.signal.ScalarProduct;
 
 /**
  * How far a fit's coordinates may be off when what is left is not the white noise that the fit took it for: C⁻¹ B C⁻¹ with C the
@@ -51,7 +52,7 @@ final class BlockScores {
     double variance(double[] solved) {
         double sum = 0;
         for (double[] each : gradients) {
-            double step = Fitter.dot(solved, each);
+            double step = ScalarProduct.of(solved, each);
             sum += step * step;
         }
         return sum * gradients.length / (gradients.length - 1);
@@ -82,7 +83,7 @@ final class BlockScores {
         // A series and a spectrum have their products in the same proportion, whatever the product.
         double square = 0;
         for (double[] each : residual) {
-            square += Fitter.dot(each, each);
+            square += ScalarProduct.of(each, each);
         }
         double scale = state.square() / square;
         for (double[] each : out) {

@@ -11,6 +11,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Readings;
 import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.search.NoiseMetric;
+import wbv.signal.ScalarProduct;
 
 /**
  * Errors of two models on data that took no part in the fit, by output and band, and how far they might have come out otherwise
@@ -165,22 +166,22 @@ final class HeldOut {
     private Diagnosis.Proof proof(Slice slice, double[][] draws) {
         double[] once = new double[cells];
         Arrays.fill(once, 1);
-        double share = Fitter.dot(once, slice.own()) / Fitter.dot(once, slice.all());
+        double share = ScalarProduct.of(once, slice.own()) / ScalarProduct.of(once, slice.all());
         return new Diagnosis.Proof(slice.channel(), slice.band(), share,
                 ranged(draws, once, counts -> root(slice.before(), slice.all(), counts)),
                 ranged(draws, once, counts -> root(slice.after(), slice.all(), counts)),
-                Math.sqrt(slice.floor() / Fitter.dot(once, slice.all())),
+                Math.sqrt(slice.floor() / ScalarProduct.of(once, slice.all())),
                 ranged(draws, once, counts -> removed(slice, counts)));
     }
 
     private static double root(double[] error, double[] signal, double[] counts) {
-        return Math.sqrt(Fitter.dot(error, counts) / Fitter.dot(signal, counts));
+        return Math.sqrt(ScalarProduct.of(error, counts) / ScalarProduct.of(signal, counts));
     }
 
     /** Part of what is above the noise that the later model removes; NaN where there is nothing to remove. */
     private static double removed(Slice slice, double[] counts) {
-        double before = Fitter.dot(slice.before(), counts) - slice.floor();
-        double after = Fitter.dot(slice.after(), counts) - slice.floor();
+        double before = ScalarProduct.of(slice.before(), counts) - slice.floor();
+        double after = ScalarProduct.of(slice.after(), counts) - slice.floor();
         return before > LEAST * slice.floor() ? Math.min(1, (before - after) / before) : Double.NaN;
     }
 

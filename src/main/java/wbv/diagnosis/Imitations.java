@@ -27,6 +27,7 @@ import wbv.diagnosis.search.Screening;
 import wbv.diagnosis.search.Search;
 import wbv.diagnosis.search.Trial;
 import wbv.diagnosis.search.Whereabouts;
+import wbv.signal.ScalarProduct;
 
 /**
  * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much
@@ -159,6 +160,6 @@ final class Imitations {
     /** What data that were not used say against a fit: sum of squares of what is left of them and of the sensors' errors. */
     private double misfit(Fitter.State fit) {
         Fitter.State later = new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut());
-        return later.square() + Fitter.dot(later.errors(), later.errors());
+        return later.square() + ScalarProduct.of(later.errors(), later.errors());
     }
 }

@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
+import wbv.signal.ScalarProduct;
 
 /**
  * How the least cost rises as one number is moved away from its best value and everything else is refitted (profile likelihood:
@@ -44,7 +45,7 @@ final class Profile {
         this.fixed = fixed;
         this.rise = rise;
         this.at = estimand.u(best.x());
-        double variance = Fitter.dot(estimand.slope(best.x()), solved);
+        double variance = ScalarProduct.of(estimand.slope(best.x()), solved);
         this.direction = Arrays.stream(solved).map(x -> x / variance).toArray();
         this.half = Math.sqrt(variance * rise);
     }
@@ -149,14 +150,14 @@ final class Profile {
         double[] residual = state.residual();
         for (int i = 0; i < held.length; i++) {
             Knob knob = best.candidate().knobs().get(i);
-            g[i] = Fitter.dot(best.slopes()[i], residual) + state.x()[i] / (knob.deviation() * knob.deviation());
+            g[i] = ScalarProduct.of(best.slopes()[i], residual) + state.x()[i] / (knob.deviation() * knob.deviation());
             held[i] = state.x()[i] <= knob.low() + 1e-12 && g[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && g[i] < 0;
             held[i] |= fixed[i] || estimand.isPlain() && b[i] != 0;
         }
         double[] p = Fitter.solve(curvature, g, held, 0);
         double[] q = Fitter.solve(curvature, b, held, 0);
-        double bq = Fitter.dot(b, q);
-        double share = bq > 0 ? Fitter.dot(b, p) / bq : 0;
+        double bq = ScalarProduct.of(b, q);
+        double share = bq > 0 ? ScalarProduct.of(b, p) / bq : 0;
         double[] next = state.x().clone();
         for (int i = 0; i < next.length; i++) {
             next[i] -= p[i] - q[i] * share;

@@ -18,6 +18,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
+import wbv.signal.ScalarProduct;
 
 /**
  * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it
@@ -97,7 +98,7 @@ final class Values {
             held[i] = b[i] == 0 && (held[i] || moments[i]);
         }
         double[] solved = Fitter.solve(curvature, b, held, 0);
-        double white = Fitter.dot(b, solved);
+        double white = ScalarProduct.of(b, solved);
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
         double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
         Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
@@ -171,7 +172,7 @@ final class Values {
             return 0;
         }
         double[] effect = new double[state.raw().length];
-        double size = Fitter.dot(slope, slope);
+        double size = ScalarProduct.of(slope, slope);
         for (int i = 0; i < slope.length; i++) {
             for (int k = 0; slope[i] != 0 && k < effect.length; k++) {
                 effect[k] += state.slopes()[i][k] * slope[i] / size;
@@ -179,7 +180,7 @@ final class Values {
         }
         double[][] way = new Simulator(evidence.excitation()).linearised(state.candidate().at(state.x())).ofLinkForce(in.link());
         double left = Entering.beyondNoise(evidence, state, way);
-        double alone = left / Math.max(Fitter.dot(effect, effect), 1e-300);
+        double alone = left / Math.max(ScalarProduct.of(effect, effect), 1e-300);
         return Math.pow(alone * left * white, 0.25);
     }
 

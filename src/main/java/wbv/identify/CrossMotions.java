@@ -2,10 +2,10 @@ package wbv.identify;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.decomposition.chol.CholeskyDecompositionInner_DDRM;
+import wbv.signal.ScalarProduct;
 
 /**
  * Other motions of the base as an output may know them: each through a series of discrete Laguerre functions (Wahlberg, IEEE
@@ -76,7 +76,7 @@ final class CrossMotions {
                 weighted[t] = weight[t] * columns[i][t];
             }
             for (int j = 0; j <= i; j++) {
-                on.add(i, j, dot(weighted, columns[j], on.from, on.to));
+                on.add(i, j, ScalarProduct.of(weighted, columns[j], on.from, on.to));
             }
         }
         return on;
@@ -93,9 +93,16 @@ final class CrossMotions {
 
         private On(double[] weight) {
             this.weight = weight;
-            this.from = IntStream.range(0, samples).filter(t -> weight[t] != 0).findFirst().orElse(0);
-            this.to = 1 + IntStream.range(from, samples).map(t -> samples - 1 - t + from).filter(t -> weight[t] != 0).findFirst()
-                    .orElse(from - 1);
+            int first = 0;
+            while (first < samples && weight[first] == 0) {
+                first++;
+            }
+            int end = samples;
+            while (end > first && weight[end - 1] == 0) {
+                end--;
+            }
+            this.from = first;
+            this.to = end;
             gram = new DMatrixRMaj(columns.length, columns.length);
         }
 
@@ -113,13 +120,13 @@ final class CrossMotions {
         /**
          * On these samples without some of them, which costs as much as those are.
          *
-         * @param less weight of those that stay, 0 or 1 for each sample, 0 wherever it is 0 here. Kept.
+         * @param staying weight of those that stay, 0 or 1 for each sample, 0 wherever it is 0 here. Kept.
          */
-        On less(double[] less) {
-            On on = new On(less);
+        On only(double[] staying) {
+            On on = new On(staying);
             on.gram.setTo(gram);
             for (int t = from; t < to; t++) {
-                if (weight[t] != less[t]) {
+                if (weight[t] != staying[t]) {
                     for (int i = 0; i < columns.length; i++) {
                         for (int j = 0; j <= i; j++) {
                             on.add(i, j, -columns[i][t] * columns[j][t]);
@@ -151,25 +158,6 @@ final class CrossMotions {
         Explaining by(List<Integer> chosen) {
             return new Explaining(this, chosen);
         }
-    }
-
-    /** Σ a b over some samples, four sums at a time: one would wait for itself at every sample. */
-    private static double dot(double[] a, double[] b, int from, int to) {
-        double s0 = 0;
-        double s1 = 0;
-        double s2 = 0;
-        double s3 = 0;
-        int t = from;
-        for (; t + 3 < to; t += 4) {
-            s0 += a[t] * b[t];
-            s1 += a[t + 1] * b[t + 1];
-            s2 += a[t + 2] * b[t + 2];
-            s3 += a[t + 3] * b[t + 3];
-        }
-        for (; t < to; t++) {
-            s0 += a[t] * b[t];
-        }
-        return s0 + s1 + s2 + s3;
     }
 
     /** Least squares on some of the motions. */
@@ -222,7 +210,7 @@ final class CrossMotions {
             int k = index.length;
             double[] c = new double[k];
             for (int i = 0; i < k; i++) {
-                c[i] = dot(columns[index[i]], x, on.from, on.to);
+                c[i] = ScalarProduct.of(columns[index[i]], x, on.from, on.to);
             }
             for (int i = 0; i < k; i++) {
                 for (int j = 0; j < i; j++) {

@@ -44,6 +44,7 @@ public final class EquivalentBodies {
 
     private final double rate;
     private final int n;
+    private final int cut;
     private final double start;
     private final double[][] others;
     private final boolean[] sound;
@@ -82,18 +83,13 @@ public final class EquivalentBodies {
         spectrum = dft.forward(Arrays.copyOf(u, dft.length()));
         batch = (int) Math.max(SHORTEST_BATCH * rate, n / (double) BATCHES);
         crossing = new CrossMotions(rate, others, n);
-        common = parts(sound);
+        cut = (int) (FITTED * n);
+        common = Parts.of(crossing.on(weight(sound, 0, cut)), crossing.on(weight(sound, cut, n)));
     }
 
-    private Parts parts(boolean[] counts) {
-        int cut = (int) (FITTED * n);
-        return Parts.of(crossing.on(weight(counts, 0, cut)), crossing.on(weight(counts, cut, n)));
-    }
-
-    /** The same where an output misses some samples. */
-    private Parts less(boolean[] counts) {
-        int cut = (int) (FITTED * n);
-        return Parts.of(common.early.less(weight(counts, 0, cut)), common.late.less(weight(counts, cut, n)));
+    /** On the samples that count where an output misses some. */
+    private Parts only(boolean[] counts) {
+        return Parts.of(common.early.only(weight(counts, 0, cut)), common.late.only(weight(counts, cut, n)));
     }
 
     private double[] weight(boolean[] counts, int from, int to) {
@@ -165,7 +161,7 @@ public final class EquivalentBodies {
             y[t] -= mean;
             power += counts[t] ? y[t] * y[t] : 0;
         }
-        return power >= Double.MIN_NORMAL ? of(y, power, Arrays.equals(counts, sound) ? common : less(counts), degrees) : Optional.empty();
+        return power >= Double.MIN_NORMAL ? of(y, power, Arrays.equals(counts, sound) ? common : only(counts), degrees) : Optional.empty();
     }
 
     private Optional<EquivalentBody> of(double[] y, double power, Parts parts, int degrees) {
@@ -286,7 +282,7 @@ public final class EquivalentBodies {
     private boolean better(double[] first, double[] second, int looks) {
         SummaryStatistics gains = new SummaryStatistics();
         int length = Math.max((int) Math.ceil(rate), batch / JUDGING);
-        for (int from = (int) (FITTED * n); from + length <= n; from += length) {
+        for (int from = cut; from + length <= n; from += length) {
             double gain = 0;
             for (int t = from; t < from + length; t++) {
                 gain += first[t] * first[t] - second[t] * second[t];

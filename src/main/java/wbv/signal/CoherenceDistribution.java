@@ -22,6 +22,7 @@ public record CoherenceDistribution(double averages, int inputs) {
     /** Weight of the mixture that may be left out. */
     private static final double NEGLIGIBLE = 1e-10;
     private static final double CLOSE = 1e-9;
+    /** Looks at most: halving alone needs 30 to come so close. */
     private static final int LOOKS = 200;
     /**
      * Averages from which on Fisher's z = artanh γ is normal enough: mean bias 1/(2n - 2) for each input, variance 1/(2n - 2)
@@ -111,11 +112,13 @@ public record CoherenceDistribution(double averages, int inputs) {
         ResizableDoubleArray out = new ResizableDoubleArray();
         double mode = averages * truth / (1 - truth);
         double log = averages * Math.log1p(-truth);
+        double weight = Math.exp(log);
         double left = 1;
-        for (int j = 0; left > NEGLIGIBLE && (j < mode || Math.exp(log) > NEGLIGIBLE * (1 - truth)); j++) {
-            out.addElement(Math.exp(log));
-            left -= Math.exp(log);
+        for (int j = 0; left > NEGLIGIBLE && (j < mode || weight > NEGLIGIBLE * (1 - truth)); j++) {
+            out.addElement(weight);
+            left -= weight;
             log += Math.log(truth * (averages + j) / (j + 1));
+            weight = Math.exp(log);
         }
         return out.getElements();
     }

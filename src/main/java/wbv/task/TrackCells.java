@@ -13,6 +13,7 @@ public final class TrackCells {
     private static final int DIGITS = 3;
     /** Decimals beyond which a number is written as it is. */
     private static final int MOST_DECIMALS = 12;
+    /** Samples for which there is room at first. */
     private static final int FEW = 64;
 
     private final boolean exact;

@@ -25,6 +25,7 @@ import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
+import wbv.signal.ScalarProduct;
 
 /** One body on a platform, with or without a tone that the model lacks. */
 class HeldOutTest {
@@ -102,7 +103,8 @@ class HeldOutTest {
         double[] e = evidence.heldOut().spectrum(error, evidence.valid(0));
         double[] y = evidence.heldOut().spectrum(evidence.measured(0), evidence.valid(0));
         List<Diagnosis.Proof> bands = proofs(evidence, state, state).subList(1, 5);
-        assertEquals(Fitter.dot(e, e) / Fitter.dot(y, y), bands.stream().mapToDouble(p -> Math.pow(p.before().value(), 2)).sum(),
+        assertEquals(ScalarProduct.of(e, e) / ScalarProduct.of(y, y),
+                bands.stream().mapToDouble(p -> Math.pow(p.before().value(), 2)).sum(),
                 1e-9);
         assertEquals(1, bands.stream().mapToDouble(Diagnosis.Proof::signal).sum(), 1e-9);
         assertArrayEquals(new double[] {2, 5, 10}, bands.stream().skip(1).mapToDouble(p -> p.band()[0]).toArray());

@@ -37,7 +37,7 @@ class CrossMotionsTest {
         Arrays.setAll(x, t -> x[t] * fewer[t]);
         List<Integer> both = List.of(0, 1);
         assertArrayEquals(crossing.on(fewer).by(both).coefficients(x),
-                crossing.on(ones(100, 1100)).less(fewer).by(both).coefficients(x), 1e-10);
+                crossing.on(ones(100, 1100)).only(fewer).by(both).coefficients(x), 1e-10);
     }
 
     @Test

@@ -11,6 +11,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.ScalarProduct;
 
 /** Refuses recordings that no diagnosis can be made of, each with its reason. */
 public final class Admission {
@@ -116,7 +117,7 @@ public final class Admission {
 
     /** By how much a series is another one, if that is what one unit is of another and the two are much alike otherwise. */
     private static Optional<Double> factor(double[] reference, double[] series) {
-        double factor = Fitter.dot(reference, series) / Fitter.dot(reference, reference);
+        double factor = ScalarProduct.of(reference, series) / ScalarProduct.of(reference, reference);
         double likeness = factor * rms(reference) / rms(series);
         return likeness > ALIKE && unit(factor).isPresent() ? Optional.of(factor) : Optional.empty();
     }
@@ -132,6 +133,6 @@ public final class Admission {
     }
 
     private static double rms(double[] x) {
-        return Math.sqrt(Fitter.dot(x, x) / x.length);
+        return Math.sqrt(ScalarProduct.of(x, x) / x.length);
     }
 }

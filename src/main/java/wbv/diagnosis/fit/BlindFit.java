@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Simulator;
+import wbv.signal.ScalarProduct;
 
 /**
  * Fits from one state that are blind to whatever enters at some places: the directions along which that reaches the outputs, one a line and
@@ -200,8 +201,8 @@ public final class BlindFit {
             double[] with = nuisances.products(at.raw());
             double[] unseen = errors.products(along);
             Arrays.setAll(with, i -> with[i] - unseen[i]);
-            Nuisances.Explained explained = small.explain(with, Fitter.dot(at.raw(), at.raw()) - Fitter.dot(along, along), off);
-            double cost = at.candidate().withPriors(explained.square() + Fitter.dot(explained.errors(), explained.errors()), at.x());
+            Nuisances.Explained explained = small.explain(with, ScalarProduct.of(at.raw(), at.raw()) - ScalarProduct.of(along, along), off);
+            double cost = at.candidate().withPriors(explained.square() + ScalarProduct.of(explained.errors(), explained.errors()), at.x());
             errors.subtract(explained.errors(), along);
             return new Left(at, explained.errors(), along, explained.square(), cost);
         }
@@ -217,7 +218,7 @@ public final class BlindFit {
             double[] gradient = new double[curvature.length];
             for (int i = 0; i < gradient.length; i++) {
                 double deviation = state.candidate().knobs().get(i).deviation();
-                gradient[i] = Fitter.dot(state.slopes()[i], residual) - unseen[i] + from.at.x()[i] / (deviation * deviation);
+                gradient[i] = ScalarProduct.of(state.slopes()[i], residual) - unseen[i] + from.at.x()[i] / (deviation * deviation);
             }
             double[][] followed = Normal.curvature(state.candidate(), curvature, shared, factor::solve);
             return Normal.step(state.candidate(), from.at.x(), followed, gradient, damping);

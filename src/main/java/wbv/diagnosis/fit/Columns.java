@@ -3,6 +3,7 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.signal.ScalarProduct;
 
 /**
  * Long vectors of one length, to be multiplied with each other and with more: what least squares spend much of their time on. Many are zero
@@ -174,12 +175,12 @@ public final class Columns {
             two(i, other, out);
         }
         if (i < out.length) {
-            out[i] = Fitter.dot(vectors[i], other, from[i], to[i]);
+            out[i] = ScalarProduct.of(vectors[i], other, from[i], to[i]);
         }
         return out;
     }
 
-    /** Two as {@link Fitter#dot} sums them, since each number of the other then is fetched once for both. */
+    /** Two as {@link wbv.signal.ScalarProduct#of} sums them, since each number of the other then is fetched once for both. */
     private void two(int i, double[] other, double[] out) {
         double[] a = vectors[i];
         double[] b = vectors[i + 1];

@@ -1,5 +1,7 @@
 package wbv.diagnosis.fit;
 
+import wbv.signal.ScalarProduct;
+
 /**
  * What a fit leaves, taken for something that enters along one direction: any signal, of which the direction says what it does to each
  * output.
@@ -44,7 +46,7 @@ public record Entering(double[] signal, double[] variance) {
         Whitening whitening = state.frame().whitening();
         Entering entering = along(evidence, state, direction);
         double[] r = state.residual();
-        double sum = Fitter.dot(r, r);
+        double sum = ScalarProduct.of(r, r);
         for (int line = 0; line < entering.variance().length; line++) {
             double re = entering.signal()[2 * line];
             double im = entering.signal()[2 * line + 1];

@@ -13,6 +13,7 @@ import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Sensitivities;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.signal.ScalarProduct;
 
 /**
  * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the
@@ -391,7 +392,7 @@ public final class Fitter {
         double[] raw = evidence.residual(excitation, late.of(response), frame.whitening());
         small.restore(raw, off);
         Nuisances.Explained explained = small.explain(raw, off);
-        double cost = candidate.withPriors(explained.square() + dot(explained.errors(), explained.errors()), x);
+        double cost = candidate.withPriors(explained.square() + ScalarProduct.of(explained.errors(), explained.errors()), x);
         double[][] columns = new double[slopes ? x.length : 0][];
         Parallel.each(columns.length, i -> columns[i] = i < known.length && !isOwn(candidate, i) ? known[i]
                 : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]),
@@ -439,39 +440,5 @@ public final class Fitter {
             out[free[i]] = x.get(i) / size[i];
         }
         return out;
-    }
-
-    /**
-     * The scalar product, in the product of both units.
-     *
-     * @param a of any length and unit
-     * @param b as long as a, at least, of any unit. Neither is modified.
-     */
-    public static double dot(double[] a, double[] b) {
-        return dot(a, b, 0, a.length);
-    }
-
-    /**
-     * The scalar product from an index to before another, in the product of both units. Neither array is modified.
-     *
-     * @param a of any length and unit
-     * @param b likewise
-     */
-    public static double dot(double[] a, double[] b, int from, int to) {
-        double s0 = 0;
-        double s1 = 0;
-        double s2 = 0;
-        double s3 = 0;
-        int i = from;
-        for (; i + 3 < to; i += 4) {
-            s0 += a[i] * b[i];
-            s1 += a[i + 1] * b[i + 1];
-            s2 += a[i + 2] * b[i + 2];
-            s3 += a[i + 3] * b[i + 3];
-        }
-        for (; i < to; i++) {
-            s0 += a[i] * b[i];
-        }
-        return s0 + s1 + s2 + s3;
     }
 }

@@ -3,6 +3,7 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import wbv.signal.ScalarProduct;
 
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
 public final class Normal {
@@ -47,7 +48,7 @@ public final class Normal {
         double[] residual = state.residual();
         for (int i = 0; i < n; i++) {
             double deviation = state.candidate().knobs().get(i).deviation();
-            gradient[i] = Fitter.dot(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
+            gradient[i] = ScalarProduct.of(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
         }
     }
 
@@ -64,7 +65,7 @@ public final class Normal {
         for (int i = 0; i < n; i++) {
             double[] errors = follow.apply(products[i]);
             for (int j = 0; j <= i; j++) {
-                out[i][j] = gram[i][j] - Fitter.dot(errors, products[j]);
+                out[i][j] = gram[i][j] - ScalarProduct.of(errors, products[j]);
                 out[j][i] = out[i][j];
             }
             double deviation = candidate.knobs().get(i).deviation();
@@ -95,7 +96,7 @@ public final class Normal {
         double[][] corrected = new double[n][];
         double[] along = new double[n];
         for (int i = 0; i < n; i++) {
-            along[i] = Fitter.dot(slopes[i], change);
+            along[i] = ScalarProduct.of(slopes[i], change);
             corrected[i] = slopes[i].clone();
             add(corrected[i], change, weight[i]);
         }
@@ -103,7 +104,7 @@ public final class Normal {
         if (!projection.suits(there)) {
             return new Normal(there);
         }
-        double square = Fitter.dot(change, change);
+        double square = ScalarProduct.of(change, change);
         double[] shared = projection.products(change);
         double[][] theirs = new double[n][];
         double[][] grown = new double[n][n];

@@ -8,6 +8,7 @@ import org.ejml.data.DMatrixRMaj;
 import wbv.body.Drive;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.signal.ScalarProduct;
 
 /**
  * The small errors that every sensor has (gain, clock, tilt, place), each with what is known of it beforehand. Being small they act
@@ -335,7 +336,7 @@ public final class Nuisances {
      * @param off errors that are not asked, see {@link #off}
      */
     Explained explain(double[] residual, boolean[] off) {
-        return explain(products(residual), Fitter.dot(residual, residual), off);
+        return explain(products(residual), ScalarProduct.of(residual, residual), off);
     }
 
     /**
@@ -367,7 +368,7 @@ public final class Nuisances {
         }
         double[] left = gradient(n, products);
         // |r - D n|² = |r|² - n·(Dᵀr + Dᵀ(r - D n))
-        return new Explained(n, Math.max(0, square - Fitter.dot(n, products) - Fitter.dot(n, left)));
+        return new Explained(n, Math.max(0, square - ScalarProduct.of(n, products) - ScalarProduct.of(n, left)));
     }
 
     /**
@@ -424,7 +425,7 @@ public final class Nuisances {
      * @param products Dᵀr
      */
     private double[] gradient(double[] n, double[] products) {
-        return IntStream.range(0, n.length).mapToDouble(i -> products[i] - Fitter.dot(gram[i], n)).toArray();
+        return IntStream.range(0, n.length).mapToDouble(i -> products[i] - ScalarProduct.of(gram[i], n)).toArray();
     }
 
     /** The residual without what errors explain. A new array. */

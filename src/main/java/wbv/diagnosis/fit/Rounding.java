@@ -2,6 +2,7 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.Optional;
+import wbv.signal.ScalarProduct;
 
 /**
  * The steps in which a sensor reads, as its values show them: all are whole numbers of steps apart.
@@ -53,7 +54,7 @@ public record Rounding(double step, double level) {
      */
     private static boolean isSwitched(double[] x, double[] sorted, double step) {
         double[] centred = Measured.centred(sorted);
-        if (Fitter.dot(centred, centred) <= step * step * centred.length) {
+        if (ScalarProduct.of(centred, centred) <= step * step * centred.length) {
             return true;
         }
         int changes = 0;
@@ -80,7 +81,7 @@ public record Rounding(double step, double level) {
         double[] there = Arrays.stream(x).filter(value -> !Double.isNaN(value)).toArray();
         double[] centred = Measured.centred(there);
         return of(x).filter(
-                steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
+                steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(ScalarProduct.of(centred, centred) / centred.length));
     }
 
     /** Standard deviation of what it adds to a signal that crosses many steps, in the step's unit (Widrow 1956). */

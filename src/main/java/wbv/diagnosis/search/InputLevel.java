@@ -16,6 +16,7 @@ import wbv.diagnosis.fit.NoiseLevel;
 import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.fit.Window;
 import wbv.recording.Channel;
+import wbv.signal.ScalarProduct;
 
 /**
  * How noisy the sensors of a rig's input are. No band of what moves a rig is known to hold noise alone, so that it shows in what a fit
@@ -64,7 +65,7 @@ public final class InputLevel {
     private double most(Channel sensor) {
         double[] x = evidence.series(sensor);
         double[] centred = Measured.centred(x);
-        return Math.min(new NoiseLevel().bound(x), MOST * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
+        return Math.min(new NoiseLevel().bound(x), MOST * Math.sqrt(ScalarProduct.of(centred, centred) / centred.length));
     }
 
     /** Power of the noise of a sensor of 1, by line. */

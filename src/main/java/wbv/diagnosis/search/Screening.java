@@ -23,6 +23,7 @@ import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.SymmetricFactor;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.signal.ScalarProduct;
 
 /**
  * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
@@ -241,10 +242,10 @@ public final class Screening {
         double[] follow = projection.errors(own);
         double[] cross = slopes.products(direction);
         for (int p = 0; p < cross.length; p++) {
-            cross[p] -= Fitter.dot(follow, products[p]);
+            cross[p] -= ScalarProduct.of(follow, products[p]);
         }
         double[] held = factor.solve(cross);
-        return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));
+        return new Rest(direction, own, follow, cross, held, ScalarProduct.of(direction, residual) - ScalarProduct.of(held, gradient));
     }
 
     /**
@@ -260,7 +261,7 @@ public final class Screening {
     public record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
 
         double product(Rest other) {
-            return Fitter.dot(direction, other.direction) - Fitter.dot(follow, other.own) - Fitter.dot(cross, other.held);
+            return ScalarProduct.of(direction, other.direction) - ScalarProduct.of(follow, other.own) - ScalarProduct.of(cross, other.held);
         }
 
         double square() {
@@ -269,7 +270,7 @@ public final class Screening {
 
         /** Whether the model can nearly make it itself. */
         public boolean isOld() {
-            return !(square() > LEAST_NEW * Fitter.dot(direction, direction));
+            return !(square() > LEAST_NEW * ScalarProduct.of(direction, direction));
         }
     }
 

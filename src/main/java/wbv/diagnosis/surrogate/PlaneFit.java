@@ -10,6 +10,7 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
+import wbv.signal.ScalarProduct;
 
 /**
  * Moves the numbers of a {@link PlaneNet} until its sensors read what was computed: Levenberg (1944) and Marquardt (1963) on spectra, with
@@ -69,7 +70,7 @@ final class PlaneFit {
         this.base = base;
         this.outputs = List.copyOf(outputs);
         this.share = share;
-        size = outputs.stream().mapToDouble(output -> Math.sqrt(Fitter.dot(output.lines(), output.lines()))).toArray();
+        size = outputs.stream().mapToDouble(output -> Math.sqrt(ScalarProduct.of(output.lines(), output.lines()))).toArray();
     }
 
     Fitted fit(PlaneNet start) {

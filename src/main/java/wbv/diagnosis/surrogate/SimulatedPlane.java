@@ -14,12 +14,12 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.ScalarProduct;
 
 /**
  * What a simulation did in the plane of x and z on a base that moves along both: the places of which it gave more than the motion along z,
@@ -193,7 +193,7 @@ final class SimulatedPlane {
 
     /** Lines that hold nearly all of a spectrum's energy. */
     private static int held(double[] spectrum) {
-        double all = Fitter.dot(spectrum, spectrum);
+        double all = ScalarProduct.of(spectrum, spectrum);
         int lines = spectrum.length / 2;
         double above = 0;
         while (lines > 2 && above < (1 - HELD) * all) {

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import wbv.body.ModelFile;
 import wbv.recording.format.RecordingFile;
+import wbv.signal.ScalarProduct;
 
 /** Normal equations carried from state to state are those of the corrected derivatives worked out in full. */
 class NormalTest {
@@ -44,11 +45,11 @@ class NormalTest {
         double length = 0;
         for (int i = 0; i < n; i++) {
             double step = there.x()[i] - here.x()[i];
-            length += step * step * Fitter.dot(here.slopes()[i], here.slopes()[i]);
+            length += step * step * ScalarProduct.of(here.slopes()[i], here.slopes()[i]);
         }
         for (int i = 0; i < n; i++) {
             double step = there.x()[i] - here.x()[i];
-            double weight = step * Fitter.dot(here.slopes()[i], here.slopes()[i]) / length;
+            double weight = step * ScalarProduct.of(here.slopes()[i], here.slopes()[i]) / length;
             out[i] = here.slopes()[i].clone();
             for (int k = 0; k < out[i].length; k++) {
                 double missed = there.raw()[k] - here.raw()[k];

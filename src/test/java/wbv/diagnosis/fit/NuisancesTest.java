@@ -19,6 +19,7 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 import wbv.signal.RealDft;
+import wbv.signal.ScalarProduct;
 
 /** The small errors of sensors, held to what they do to a recording that has none beside those of its making. */
 class NuisancesTest {
@@ -157,7 +158,7 @@ class NuisancesTest {
         assertTrue(IntStream.range(0, off.length).anyMatch(i -> nuisances.isHeld(i, found.errors()[i])), "some stand at their bounds");
         assertTrue(!nuisances.isHeld(0, SmallError.MOST - 0.1) && nuisances.isHeld(0, -SmallError.MOST));
         double least = cost(nuisances, r, found.errors());
-        assertEquals(least, found.square() + Fitter.dot(found.errors(), found.errors()), 1e-6 * least);
+        assertEquals(least, found.square() + ScalarProduct.of(found.errors(), found.errors()), 1e-6 * least);
         for (int i = 0; i < off.length; i++) {
             for (double move : new double[] {-0.01, 0.01}) {
                 double[] n = found.errors().clone();
@@ -169,6 +170,6 @@ class NuisancesTest {
 
     private static double cost(Nuisances nuisances, double[] r, double[] n) {
         double[] left = nuisances.removed(r, n);
-        return Fitter.dot(left, left) + Fitter.dot(n, n);
+        return ScalarProduct.of(left, left) + ScalarProduct.of(n, n);
     }
 }
