@@ -96,7 +96,7 @@ final class Prove implements Callable<Integer> {
         }
         String wrote = "All tables: " + out.resolve("proof.md") + "\n";
         if (calibrate) {
-            Calibration calibration = tables.calibration(Calibration.standard().chance()).orElseThrow(
+            Calibration calibration = tables.calibration().orElseThrow(
                     () -> new DataFault("no answer of these cases names a single mechanism: ask more of them"));
             AtomicFile.write(out.resolve("calibration.json"),
                     new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(calibration) + "\n");

@@ -73,13 +73,29 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param parameters  its numbers, units in the names
      * @param intervals   where they lie with 95 %; for those that have an uncertainty
      * @param reduced     mean square of the whitened residual with it
+     * @param numbers     logarithm of how likely the model's own numbers are where it has them, against as given [nat], 0 or less
      */
     public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
-            double reduced) {
+            double reduced, double numbers) {
+
+        /** One for which the model's own numbers stay as they are. */
+        public Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
+                double reduced) {
+            this(mechanism, where, probability, parameters, intervals, reduced, 0);
+        }
 
         /** The same, held at another probability. */
         Named at(double other) {
-            return new Named(mechanism, where, other, parameters, intervals, reduced);
+            return new Named(mechanism, where, other, parameters, intervals, reduced, numbers);
+        }
+
+        /**
+         * The same with other numbers of the model.
+         *
+         * @param own how likely they are [nat]
+         */
+        Named with(double own) {
+            return new Named(mechanism, where, probability, parameters, intervals, reduced, own);
         }
 
         /** Standard deviations of a normal distribution as wide as the intervals; infinite where an end is open. */

@@ -237,7 +237,8 @@ final class Verdicts {
         Map<Hypothesis, Diagnosis.Named> claimed = new LinkedHashMap<>();
         double most = poor ? UNSURE : 1;
         best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone))
-                .forEach(hypothesis -> claimed.put(hypothesis, values.named(hypothesis, Math.min(most, standing.probability(hypothesis)))));
+                .forEach(hypothesis -> claimed.put(hypothesis,
+                        values.named(hypothesis, Math.min(most, standing.probability(hypothesis))).with(standing.numbers())));
         if (claimed.entrySet().stream().allMatch(each -> mayBeNothing(each.getKey(), each.getValue()))) {
             return Optional.empty();
         }

@@ -1,83 +1,95 @@
 package wbv.proof;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.apache.commons.math3.optim.InitialGuess;
 import org.apache.commons.math3.optim.MaxEval;
+import org.apache.commons.math3.optim.PointValuePair;
 import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
-import org.apache.commons.math3.optim.univariate.BrentOptimizer;
-import org.apache.commons.math3.optim.univariate.SearchInterval;
-import org.apache.commons.math3.optim.univariate.UnivariateObjectiveFunction;
-import org.apache.commons.math3.optim.univariate.UnivariatePointValuePair;
+import org.apache.commons.math3.optim.nonlinear.scalar.ObjectiveFunction;
+import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
+import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
 import wbv.diagnosis.search.Calibration;
+import wbv.signal.LogSum;
 
-/** Finds how many parts the form of a law has, such that what answers to concealed recordings turned out to be is likeliest. */
+/**
+ * Finds how many parts the form of a law has and how much chance leaves, such that what answers to concealed recordings turned out to be is
+ * likeliest.
+ */
 final class Calibrating {
 
-    private static final double FEWEST = 0.5;
-    private static final double MOST = 60;
-    private static final int TRIES = 200;
+    private static final int TRIES = 400;
+    /** Where the search begins: logarithms of the parts and of what chance leaves. */
+    private static final double[] START = {Math.log(8), Math.log(0.05)};
+    private static final double STEP = 0.3;
     /** Held so firmly an answer should not be wrong but by a lapse. */
     private static final double FIRM = 0.97;
 
     private final List<Case> cases;
-    private final double chance;
 
     /**
      * What an answer by one name rests on.
      *
-     * @param left mean squares: of the name, then of its rivals, of nothing and of what is in no library
+     * @param left mean squares: of the name, then of nothing, of what is in no library, and of the name's rivals
+     * @param numbers how likely the model's own numbers are with each, as many [nat]
      */
-    private record Case(double[] left, boolean right) {
+    private record Case(double[] left, double[] numbers, boolean right) {
 
         double probability(Calibration calibration) {
-            double[] evidence = calibration.evidence(left);
-            return 1 / Arrays.stream(evidence).map(each -> Math.exp(each - evidence[0])).sum();
+            double least = Arrays.stream(left).min().orElseThrow();
+            double[] nats = IntStream.range(0, left.length).mapToDouble(i -> calibration.evidence(left[i], least) + numbers[i]).toArray();
+            return Math.exp(nats[0] - LogSum.of(nats, nats.length));
         }
     }
 
-    private Calibrating(List<Case> cases, double chance) {
+    private Calibrating(List<Case> cases) {
         this.cases = cases;
-        this.chance = chance;
     }
 
     /**
      * Empty where no answer tells.
      *
-     * @param chance excess that chance leaves
      * @param command that made the answers
      * @param commit of which program
      */
-    static Optional<Calibration> of(List<Marking> markings, double chance, String command, String commit) {
+    static Optional<Calibration> of(List<Marking> markings, String command, String commit) {
         List<Case> cases = markings.stream().flatMap(marking -> of(marking).stream()).toList();
-        return cases.isEmpty() ? Optional.empty() : Optional.of(new Calibrating(cases, chance).calibration(command, commit));
+        return cases.isEmpty() ? Optional.empty() : Optional.of(new Calibrating(cases).calibration(command, commit));
     }
 
-    /** A single name of the library, of which the excess is known. */
+    /** A single name of the library that a fit found: a force that nobody measured is named without one, and leaves what there was. */
     private static Optional<Case> of(Marking marking) {
         ProofAnswer answer = marking.answer();
         boolean single = answer.missing().size() == 1 && !answer.verdict().equals("unexplained") && marking.truth().concealed().size() == 1
-                && !answer.missing().get(0).mechanism().equals(ProofAnswer.LEARNED) && Double.isFinite(answer.missing().get(0).left());
+                && !answer.missing().get(0).mechanism().equals(ProofAnswer.LEARNED) && answer.missing().get(0).left() < answer.before();
         if (!single) {
             return Optional.empty();
         }
-        List<Double> left = new ArrayList<>(
-                List.of(answer.missing().get(0).left(), answer.before(), 1 + Calibration.unlisted(answer.before() - 1)));
-        answer.alternatives().forEach(rival -> left.add(rival.left()));
+        ProofAnswer.Name first = answer.missing().get(0);
+        List<ProofAnswer.Name> rivals = answer.alternatives();
+        // Nothing, and what is in no library, move the model's numbers as the name does.
+        double[] left = Stream.concat(Stream.of(first.left(), answer.before(), 1 + Calibration.unlisted(answer.before() - 1)),
+                rivals.stream().map(ProofAnswer.Name::left)).mapToDouble(Double::doubleValue).toArray();
+        double[] numbers = Stream.concat(Stream.of(first.numbers(), first.numbers(), first.numbers()),
+                rivals.stream().map(ProofAnswer.Name::numbers)).mapToDouble(Double::doubleValue).toArray();
         boolean right = marking.mark() == Marking.Mark.RIGHT || marking.mark() == Marking.Mark.IN_SET && marking.parts() > 0
-                && answer.missing().get(0).mechanism().equals(marking.truth().concealed().get(0).mechanism());
-        return Optional.of(new Case(left.stream().mapToDouble(Double::doubleValue).toArray(), right));
+                && first.mechanism().equals(marking.truth().concealed().get(0).mechanism());
+        return Optional.of(new Case(left, numbers, right));
     }
 
     private Calibration calibration(String command, String commit) {
-        UnivariatePointValuePair best = new BrentOptimizer(1e-6, 1e-8).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE,
-                new SearchInterval(FEWEST, MOST),
-                new UnivariateObjectiveFunction(forms -> score(new Calibration(forms, chance, 0.5, cases.size(), 0, command, commit))));
-        Calibration sharp = new Calibration(best.getPoint(), chance, 0.5, cases.size(), best.getValue(), command, commit);
+        PointValuePair best = new SimplexOptimizer(1e-9, 1e-9).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE, new InitialGuess(START),
+                new NelderMeadSimplex(START.length, STEP),
+                new ObjectiveFunction(logs -> score(new Calibration(Math.exp(logs[0]), Math.exp(logs[1]), 0.5, cases.size(), 0, "", ""))));
+        double forms = Math.exp(best.getPoint()[0]);
+        double chance = Math.exp(best.getPoint()[1]);
+        Calibration sharp = new Calibration(forms, chance, 0.5, cases.size(), best.getValue(), command, commit);
         List<Case> firm = cases.stream().filter(each -> each.probability(sharp) >= FIRM).toList();
         double lapse = (firm.stream().filter(each -> !each.right()).count() + 1.0) / (firm.size() + 2.0);
-        return new Calibration(best.getPoint(), chance, lapse, cases.size(), best.getValue(), command, commit);
+        return new Calibration(forms, chance, lapse, cases.size(), best.getValue(), command, commit);
     }
 
     /** Mean logarithm of the probability of what was right about the answers. */

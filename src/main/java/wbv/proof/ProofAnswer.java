@@ -38,9 +38,10 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
      * @param low ends of the intervals of its parameters; infinite where open
      * @param high likewise
      * @param left mean square of the whitened residual with it; NaN where the answer does not say
+     * @param numbers logarithm of how likely the model's own numbers are with it [nat]; 0 where the answer does not say
      */
     record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,
-            Map<String, Double> high, double left) {}
+            Map<String, Double> high, double left, double numbers) {}
 
     /** One that adds no force to a link. */
     ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
@@ -70,7 +71,8 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
             low.put(key, interval.low());
             high.put(key, interval.high());
         });
-        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), low, high, named.reduced());
+        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), low, high, named.reduced(),
+                named.numbers());
     }
 
     String json() {
@@ -112,7 +114,7 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
     private static void names(ArrayNode into, List<Name> names) {
         for (Name name : names) {
             ObjectNode one = into.addObject().put("mechanism", name.mechanism()).put("where", name.where())
-                    .put("probability", name.probability()).put("left", name.left());
+                    .put("probability", name.probability()).put("left", name.left()).put("numbers", name.numbers());
             ObjectNode parameters = one.putObject("parameters");
             name.parameters().forEach(parameters::put);
             ObjectNode low = one.putObject("low");
@@ -127,7 +129,7 @@ record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Nam
         for (JsonNode one : array) {
             out.add(new Name(one.get("mechanism").asText(), one.get("where").asText(), number(one.get("probability")),
                     numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high")),
-                    one.has("left") ? number(one.get("left")) : Double.NaN));
+                    one.has("left") ? number(one.get("left")) : Double.NaN, one.has("numbers") ? number(one.get("numbers")) : 0));
         }
         return out;
     }

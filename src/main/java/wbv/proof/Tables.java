@@ -34,13 +34,9 @@ public final class Tables {
         this.all = List.copyOf(all);
     }
 
-    /**
-     * What the answers say of how well a right formula fits; empty where none does.
-     *
-     * @param chance excess that chance leaves
-     */
-    public Optional<Calibration> calibration(double chance) {
-        return Calibrating.of(all, chance, made.getOrDefault("command", ""), made.getOrDefault("wbv", ""));
+    /** What the answers say of how well a right formula fits; empty where none does. */
+    public Optional<Calibration> calibration() {
+        return Calibrating.of(all, made.getOrDefault("command", ""), made.getOrDefault("wbv", ""));
     }
 
     /** Every table, as Markdown. */
@@ -50,7 +46,7 @@ public final class Tables {
         }
         boolean sitters = all.isEmpty() || all.stream().anyMatch(m -> !m.question().group().isMixed());
         return origin() + summary() + mixed()
-                + (sitters ? mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures() : "");
+                + (sitters ? mechanisms() + confusion() + others() + open() + reliability() + parameters() + failures() : "");
     }
 
     /** The figures that matter, as Markdown. */
@@ -168,7 +164,7 @@ public final class Tables {
                                 .collect(Collectors.joining(" + "));
     }
 
-    private String calibration() {
+    private String reliability() {
         double[] edges = {0, 0.5, 0.8, 0.9, 0.97, 1.0001};
         StringBuilder out = new StringBuilder(head("Probabilities", "held at", "answers", "median", "right"));
         for (int i = 0; i + 1 < edges.length; i++) {

@@ -68,10 +68,11 @@ class DecisionRuleTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.5, 0.3, 0.1, 0.5, 0.001", "0.9, 0, 0.1, 0.5, 0.001", "0.9, 1, 0.1, 0.5, 0.001", "0.9, 0.3, 1.5, 0.5, 0.001",
-        "0.9, 0.3, 0.1, -0.5, 0.001", "1, 0.3, 0.1, 0.5, 0.001", "0.9, 0.3, 0.1, 0.5, NaN"})
-    void priorsCheckThemselves(double held, double unlisted, double form, double carried, double chance) {
-        assertThrows(IllegalArgumentException.class, () -> new Priors(held, unlisted, form, carried, chance));
+    @CsvSource({"0.5, 0.3, 0.1, 0.5, 0.001, 0.3", "0.9, 0, 0.1, 0.5, 0.001, 0.3", "0.9, 1, 0.1, 0.5, 0.001, 0.3",
+        "0.9, 0.3, 1.5, 0.5, 0.001, 0.3", "0.9, 0.3, 0.1, -0.5, 0.001, 0.3", "1, 0.3, 0.1, 0.5, 0.001, 0.3", "0.9, 0.3, 0.1, 0.5, NaN, 0.3",
+        "0.9, 0.3, 0.1, 0.5, 0.001, 0"})
+    void priorsCheckThemselves(double held, double unlisted, double form, double carried, double chance, double number) {
+        assertThrows(IllegalArgumentException.class, () -> new Priors(held, unlisted, form, carried, chance, number));
     }
 
     @Test

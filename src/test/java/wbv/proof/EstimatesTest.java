@@ -13,7 +13,7 @@ class EstimatesTest {
     private static List<Estimates.Estimate> of(String mechanism, Map<String, Double> truth, String key, double value, double low,
             double high) {
         return Estimates.of(new Truth.Concealed(mechanism, "seat-torso", "", truth, 9),
-                new ProofAnswer.Name(mechanism, "seat-torso", 0.9, Map.of(key, value), Map.of(key, low), Map.of(key, high), 1.5));
+                new ProofAnswer.Name(mechanism, "seat-torso", 0.9, Map.of(key, value), Map.of(key, low), Map.of(key, high), 1.5, 0));
     }
 
     @Test

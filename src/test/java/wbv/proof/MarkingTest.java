@@ -30,7 +30,7 @@ class MarkingTest {
 
     private static List<ProofAnswer.Name> names(String... mechanismsAt) {
         return Arrays.stream(mechanismsAt).map(text -> text.split("@"))
-                .map(part -> new ProofAnswer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of(), 1.5)).toList();
+                .map(part -> new ProofAnswer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of(), 1.5, 0)).toList();
     }
 
     private static ProofAnswer answer(String verdict, List<ProofAnswer.Name> missing, List<ProofAnswer.Name> rivals, String... latent) {
@@ -307,7 +307,7 @@ class MarkingTest {
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
         ProofAnswer answer = new ProofAnswer("ambiguous", "One \"of\" two.", List.of(new ProofAnswer.Name("hysteresis", "seat-torso", 0.4,
-                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7)),
+                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7, -2.5)),
                 names("friction.coulomb@seat-torso"), List.of("seat"), 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.
         assertEquals(answer, ProofAnswer.parse(answer.json()));

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.util.Arrays;
 
 /**
  * How well a formula that is right fits, as answers to concealed recordings tell; made by {@code wbv prove --calibrate}.
@@ -58,11 +57,11 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * sizes that are equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond
      * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
-     * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
-     * @return as many, logarithms of their evidences but for what is the same for all [nat]
+     * @param left mean square of the whitened residual of a hypothesis
+     * @param least that any hypothesis about the same data leaves
+     * @return logarithm of its evidence but for what is the same for all [nat]
      */
-    public double[] evidence(double... left) {
-        double least = Arrays.stream(left).min().orElse(1);
-        return Arrays.stream(left).map(each -> -forms / 2 * Math.log(each - least + Math.max(least - 1, chance))).toArray();
+    public double evidence(double left, double least) {
+        return -forms / 2 * Math.log(left - least + Math.max(least - 1, chance));
     }
 }

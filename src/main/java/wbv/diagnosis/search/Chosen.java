@@ -34,7 +34,7 @@ public record Chosen(Fitter.State fit, double price) {
     }
 
     private static double gain(double left, double otherLeft) {
-        double[] evidence = Calibration.standard().evidence(left, otherLeft);
-        return evidence[0] - evidence[1];
+        double least = Math.min(left, otherLeft);
+        return Calibration.standard().evidence(left, least) - Calibration.standard().evidence(otherLeft, least);
     }
 }

@@ -51,7 +51,7 @@ record OddLink(int link, double scale, double moved) {
             int own = -1;
             for (int i = 0; i < given; i++) {
                 Slot slot = base.candidate().knobs().get(i).slot();
-                if (isOfLink(base.candidate().knobs().get(i)) && slot.at() != link) {
+                if (OwnNumbers.isOfLink(base.candidate().knobs().get(i)) && slot.at() != link) {
                     sum += base.x()[i] * base.x()[i];
                     others++;
                 } else if (slot.kind() == Slot.Kind.STIFFNESS) {
@@ -62,22 +62,14 @@ record OddLink(int link, double scale, double moved) {
                 continue;
             }
             double scale = Math.max(LEAST_SCALE, Math.sqrt(sum / others));
-            double[] unit = new double[base.x().length];
-            unit[own] = 1;
-            double variance = Math.max(0, Fitter.solve(curvature, unit, new boolean[unit.length], 0)[own]);
             double moved = base.x()[own];
-            double oddness = Math.abs(moved) / Math.sqrt(scale * scale + variance);
+            double oddness = Math.abs(moved) / Math.sqrt(scale * scale + OwnNumbers.variance(curvature, own));
             if (oddness > most && Math.abs(moved) > LEAST_MOVE) {
                 most = oddness;
                 oddest = Optional.of(new OddLink(link, scale, moved));
             }
         }
         return oddest;
-    }
-
-    /** Whether a number is of a link, and by what factor it is off. */
-    private static boolean isOfLink(Knob knob) {
-        return knob.unit() == 0 && (knob.slot().kind() == Slot.Kind.STIFFNESS || knob.slot().kind() == Slot.Kind.DAMPING);
     }
 
     /** Whether a fit spares the link most of its move, and asks for no other as far. */
@@ -100,7 +92,7 @@ record OddLink(int link, double scale, double moved) {
         double[] out = x.clone();
         for (int i = 0; i < x.length; i++) {
             Knob knob = candidate.knobs().get(i);
-            out[i] = isOfLink(knob) && knob.slot().at() == link ? 0 : x[i];
+            out[i] = OwnNumbers.isOfLink(knob) && knob.slot().at() == link ? 0 : x[i];
         }
         return out;
     }
@@ -112,7 +104,7 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Knob held(Knob knob) {
-        return isOfLink(knob) && Double.isFinite(knob.deviation())
+        return OwnNumbers.isOfLink(knob) && Double.isFinite(knob.deviation())
                 ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale) : knob;
     }
 }

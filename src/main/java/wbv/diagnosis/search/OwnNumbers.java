@@ -1,0 +1,54 @@
+package wbv.diagnosis.search;
+
+import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Slot;
+
+/**
+ * How likely a model's own numbers are where a fit had to move them: a law that explains a recording only if a spring is three times as
+ * stiff as its user says is less likely than one that explains it with the spring as given.
+ *
+ * <p>The logarithm of a stiffness or damping over its given value is Cauchy distributed about 0: most are off a little, and now and then one
+ * is plainly wrong, which tells nothing of the others (heavy tails as of Jeffreys, Theory of Probability 1961, §5.2). What the data leave
+ * open of a number counts as scatter: one that hardly matters may be found anywhere. Relative to numbers as given, so that all that stayed
+ * give 0.
+ */
+public final class OwnNumbers {
+
+    private OwnNumbers() {}
+
+    /**
+     * Logarithm of how likely the own numbers of a fit are, against as given [nat], 0 or less.
+     *
+     * @param fit without derivatives; they are found
+     */
+    public static double logPrior(Fitter fitter, Fitter.State fit) {
+        int given = fit.x().length - fit.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();
+        int[] moved = IntStream.range(0, given).filter(i -> isOfLink(fit.candidate().knobs().get(i)) && fit.x()[i] != 0).toArray();
+        if (moved.length == 0) {
+            return 0;
+        }
+        double[][] curvature = new Normal(fitter.lookWithSlopes(fit.candidate(), fit.x(), fit.frame())).curvature();
+        double scale = Priors.USUAL.number();
+        double sum = 0;
+        for (int i : moved) {
+            double moves = fit.x()[i] * fit.x()[i] / (scale * scale + variance(curvature, i));
+            sum -= Math.log1p(moves);
+        }
+        return sum;
+    }
+
+    /** Whether a number is a stiffness or damping of a link, found as a factor of what was given. */
+    static boolean isOfLink(Knob knob) {
+        return knob.unit() == 0 && (knob.slot().kind() == Slot.Kind.STIFFNESS || knob.slot().kind() == Slot.Kind.DAMPING);
+    }
+
+    /** Variance [1] of a coordinate by the curvature of half a cost. */
+    static double variance(double[][] curvature, int coordinate) {
+        double[] unit = new double[curvature.length];
+        unit[coordinate] = 1;
+        return Math.max(0, Fitter.solve(curvature, unit, new boolean[unit.length], 0)[coordinate]);
+    }
+}
