@@ -86,11 +86,12 @@ final class LearnedVerdict {
         String where = best.candidate().last().where();
         List<Diagnosis.Named> missing = named.missing().stream().map(one -> best.candidate().added().stream()
                 .filter(part -> part.mechanism().equals(one.mechanism()) && part.where().equals(one.where())).findFirst()
-                .map(part -> values.named(part, one.probability())).orElse(one)).toList();
+                .map(part -> values.named(part, one.probability()).with(one.numbers())).orElse(one)).toList();
         return shown.of(values.fit(), values.scale(), model -> {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(named.verdict(),
-                    words.sentence(named.verdict(), missing, words.ending(new Standing(fits).explained(), named.alternatives()), false)
+                    words.sentence(named.verdict(), missing,
+                            words.ending(new Standing(fits).explained(), missing.get(0).numbers(), named.alternatives()), false)
                             + String.format(Locale.ROOT,
                                     " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.",
                                     where, law.formula(), Phrases.percent(gone(held))),

@@ -15,6 +15,7 @@ import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -46,12 +47,19 @@ final class VerdictWords {
      * How a sentence ends that names something.
      *
      * @param share of the mismatch that it explains
+     * @param numbers how likely the model's own numbers are with it [nat]
      */
-    String ending(double share, List<Diagnosis.Named> rivals) {
+    String ending(double share, double numbers, List<Diagnosis.Named> rivals) {
         return "; explains " + Phrases.percent(share) + " of the mismatch"
-                + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
-                        + " at " + rivals.get(0).where() + ", " + Phrases.percent(Refinement.explained(base, rivals.get(0).reduced()))
-                        + ".");
+                + rivals.stream().findFirst().map(rival -> nextBest(rival, numbers)).orElse("") + ".";
+    }
+
+    /** A rival, and why it is one no longer where only the model's own numbers speak against it. */
+    private String nextBest(Diagnosis.Named rival, double numbers) {
+        double told = Math.log((1 - Priors.USUAL.held()) / Priors.USUAL.held());
+        return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
+                + Phrases.percent(Refinement.explained(base, rival.reduced()))
+                + (rival.numbers() - numbers < told ? ", with stiffness or damping far from what was given" : "");
     }
 
     /**

@@ -37,7 +37,6 @@ final class Verdicts {
      * What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects.
      */
     private static final double LEAST_DROP = 0.1;
-    private static final double UNEXPLAINED = 4;
     private static final double CARRIED_OVER = 0.72;
     /**
      * On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data
@@ -129,16 +128,20 @@ final class Verdicts {
         return errors.of(fit) < errors.of(base);
     }
 
-    /** A force that nobody measured, where no mechanism leaves little. */
+    /**
+     * A force that nobody measured, where no mechanism leaves little. Such a force, arbitrary as it is, leaves nothing of a mismatch; but
+     * where each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains
+     * x - ln(1 + x).
+     */
     private Optional<Finding> pushed(boolean named) {
-        if (named && best.reduced() < UNEXPLAINED || base.reduced() < Refinement.STRANGE) {
+        if (named && best.reduced() - 1 < Math.log(base.reduced()) || base.reduced() < Refinement.STRANGE) {
             return Optional.empty();
         }
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
             double p = named ? Math.max(0.5, 1 - standing.explained()) : force.following().isTold() ? 0.9 : 0.6;
             List<Diagnosis.Named> rivals = standing.rivals(1 - p);
             return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, scale, p)), rivals, List.of(),
-                    words.ending(force.carried(), rivals));
+                    words.ending(force.carried(), 0, rivals));
         });
     }
 
@@ -251,7 +254,7 @@ final class Verdicts {
                 poor ? Diagnosis.Verdict.UNEXPLAINED
                         : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
                 values.fit(), values.scale(), missing, rivals, places,
-                poor ? words.entering(places) : words.ending(standing.explained(), rivals)));
+                poor ? words.entering(places) : words.ending(standing.explained(), standing.numbers(), rivals)));
     }
 
     /** Whether a sensor's fault may be none by all that is told of its size: what may be nothing is not named. */
