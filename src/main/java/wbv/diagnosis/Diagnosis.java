@@ -78,7 +78,11 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
             double reduced, double numbers) {
 
-        /** One for which the model's own numbers stay as they are. */
+        /**
+         * One for which the model's own numbers stay as they are.
+         *
+         * @param reduced [1]
+         */
         public Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
                 double reduced) {
             this(mechanism, where, probability, parameters, intervals, reduced, 0);

@@ -91,7 +91,7 @@ final class LearnedVerdict {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(named.verdict(),
                     words.sentence(named.verdict(), missing,
-                            words.ending(new Standing(fits).explained(), missing.get(0).numbers(), named.alternatives()), false)
+                            words.ending(Refinement.explained(fits.base(), best), missing.get(0).numbers(), named.alternatives()), false)
                             + String.format(Locale.ROOT,
                                     " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.",
                                     where, law.formula(), Phrases.percent(gone(held))),

@@ -27,7 +27,6 @@ final class Standing {
     private static final int RIVALS = 5;
     /** By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]. */
     private static final double NEGLIGIBLE = 15;
-    private static final String AT = " at ";
 
     private final Fitter.State base;
     private final Fitter.State best;
@@ -46,6 +45,10 @@ final class Standing {
 
         double sum() {
             return evidence + numbers;
+        }
+
+        boolean isSingle() {
+            return fit.candidate().added().size() == 1;
         }
 
         Weight withNumbers(double own) {
@@ -98,38 +101,32 @@ final class Standing {
     List<Diagnosis.Named> rivals(double most) {
         double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
         double scale = sum > most ? most / sum : 1;
-        List<Fitter.State> others = strongest().filter(weight -> weight.fit().candidate().added().size() == 1)
-                .map(Weight::fit).filter(fit -> !isOwn(fit.candidate().last())).toList();
-        return named(others, posterior, found()).stream()
-                .map(rival -> rival.at(scale * rival.probability()).with(numbers(Claim.named(rival.mechanism() + AT + rival.where()))))
-                .toList();
+        Set<Claim> seen = new HashSet<>(Set.of(found()));
+        return weights.stream()
+                .filter(weight -> weight.isSingle() && !isOwn(weight.fit().candidate().last()) && seen.add(weight.claim()))
+                .map(weight -> named(weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())).limit(RIVALS).toList();
     }
 
     /** How likely the model's own numbers are with what was found [nat], 0 or less. */
     double numbers() {
-        return numbers(found());
-    }
-
-    private double numbers(Claim claim) {
-        return strongest().filter(weight -> weight.claim().equals(claim)).findFirst().map(Weight::numbers).orElse(0.0);
-    }
-
-    private Stream<Weight> strongest() {
-        return weights.stream().filter(weight -> weight.claim().kind() == Claim.Kind.NAMED)
-                .sorted(Comparator.comparingDouble(Weight::sum).reversed());
+        return weights.stream().filter(weight -> weight.claim().equals(found())).mapToDouble(Weight::numbers).findFirst().orElse(0);
     }
 
     /**
-     * Single mechanisms as names, each once by the first of its forms, likeliest first.
+     * Single mechanisms as names, each once, likeliest first.
      *
      * @param but that is not among them
      */
     static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
         Set<Claim> seen = new HashSet<>(Set.of(but));
         return fits.stream().filter(fit -> seen.add(claim(fit)))
-                .map(fit -> new Diagnosis.Named(fit.candidate().last().mechanism(), fit.candidate().last().where(),
-                        posterior.of(claim(fit)), Map.of(), Map.of(), fit.reduced()))
+                .map(fit -> named(fit, posterior.of(claim(fit))))
                 .sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
+    }
+
+    private static Diagnosis.Named named(Fitter.State fit, double probability) {
+        Hypothesis last = fit.candidate().last();
+        return new Diagnosis.Named(last.mechanism(), last.where(), probability, Map.of(), Map.of(), fit.reduced());
     }
 
     /** What a fit claims: all that it adds, together. */
@@ -150,12 +147,12 @@ final class Standing {
     }
 
     private static String name(Hypothesis hypothesis) {
-        return hypothesis.mechanism() + AT + hypothesis.where();
+        return hypothesis.mechanism() + " at " + hypothesis.where();
     }
 
     /**
-     * What is left of each claim and how far the model's own numbers had to move for it make its evidence; all that is the same for all is
-     * left out. Best first; numbers are looked at as far down as they may matter.
+     * What each fit leaves and how far it had to move the model's own numbers make its evidence; all that is the same for all is left out.
+     * Likeliest first, last what is in no library, which is supposed to move them as the likeliest does.
      */
     private List<Weight> weights(Evidence evidence) {
         Calibration calibration = Calibration.standard();
@@ -169,20 +166,22 @@ final class Standing {
             double left = leaders.stream().mapToDouble(Fitter.State::reduced).reduce(best.reduced(), Math::min);
             all.add(new Weight(found(), best, calibration.evidence(left, least) - price, 0));
         }
-        all.sort(Comparator.comparingDouble(Weight::evidence).reversed());
+        List<Weight> out = evidence.standsForSimulation() ? all : withNumbers(evidence, all); // such a model's numbers nobody gave
+        out.sort(Comparator.comparingDouble(Weight::sum).reversed());
+        out.add(new Weight(UNKNOWN, base, calibration.evidence(unlisted, least), out.get(0).numbers()));
+        return out;
+    }
+
+    /** Numbers are looked at from the best fit down, as far as they may matter. */
+    private static List<Weight> withNumbers(Evidence evidence, List<Weight> all) {
         Fitter fitter = new Fitter(evidence);
         List<Weight> out = new ArrayList<>();
         double most = Double.NEGATIVE_INFINITY;
-        for (Weight weight : all) {
-            // What stands for a simulation has numbers that nobody gave.
-            boolean matters = weight.evidence() > most - NEGLIGIBLE && !evidence.standsForSimulation();
-            Weight whole = matters ? weight.withNumbers(OwnNumbers.logPrior(fitter, weight.fit())) : weight;
-            most = Math.max(most, whole.sum());
-            out.add(whole);
+        for (Weight weight : all.stream().sorted(Comparator.comparingDouble(Weight::evidence).reversed()).toList()) {
+            boolean matters = weight.evidence() > most - NEGLIGIBLE;
+            out.add(matters ? weight.withNumbers(OwnNumbers.logPrior(fitter, weight.fit())) : weight);
+            most = Math.max(most, out.get(out.size() - 1).sum());
         }
-        out.sort(Comparator.comparingDouble(Weight::sum).reversed());
-        // What is in no library moves them as the likeliest does.
-        out.add(new Weight(UNKNOWN, base, calibration.evidence(unlisted, least), out.get(0).numbers()));
         return out;
     }
 

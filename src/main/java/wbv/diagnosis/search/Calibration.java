@@ -57,8 +57,8 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * sizes that are equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond
      * the noise; the noise is the same for all, so that what one leaves more than another is no chance.
      *
-     * @param left mean square of the whitened residual of a hypothesis
-     * @param least that any hypothesis about the same data leaves
+     * @param left  mean square of the whitened residual of a hypothesis [1]
+     * @param least mean square that any hypothesis about the same data leaves [1]
      * @return logarithm of its evidence but for what is the same for all [nat]
      */
     public double evidence(double left, double least) {

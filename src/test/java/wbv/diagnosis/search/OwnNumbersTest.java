@@ -86,6 +86,15 @@ class OwnNumbersTest {
         }
     }
 
+    /** A stop may be so stiff that derivatives of a run overflow where the run does not. */
+    @Test
+    void whatHasNoDerivativesIsNotLeftOpen() {
+        assertEquals(0, OwnNumbers.variance(new double[][] {{Double.NaN, 0}, {0, 1}}, 1));
+        assertEquals(0, OwnNumbers.variance(new double[][] {{1, 0}, {0, Double.POSITIVE_INFINITY}}, 0));
+        assertEquals(0, OwnNumbers.variance(new double[0][], 3));
+        assertEquals(0.25, OwnNumbers.variance(new double[][] {{4, 0}, {0, 1}}, 0), 1e-12);
+    }
+
     @Test
     void onlyWhatALinkWasGivenIsAsked() {
         Slot stiffness = Slot.of(Slot.Kind.STIFFNESS, 0);
