@@ -345,9 +345,10 @@ public final class Diagnoser {
             }
         }
         progress.accept("proving", 0.9);
-        Fits fits = new Fits(evidence, given(baseline), base, chosen, credible);
+        Standing standing = Standing.of(new Fits(evidence, given(baseline), base, chosen, credible));
+        Fits fits = standing.fits();
         double heldBefore = refinement.heldOut(base);
-        Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> places(baseline, base));
+        Diagnosed found = new Verdicts(standing, heldBefore, search).diagnosed(() -> places(baseline, base));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS
                 && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));

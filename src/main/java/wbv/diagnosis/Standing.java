@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,6 +19,7 @@ import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.OwnNumbers;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
 
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
@@ -28,9 +30,9 @@ final class Standing {
     /** By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]. */
     private static final double NEGLIGIBLE = 15;
 
+    private final Fits fits;
     private final Fitter.State base;
     private final Fitter.State best;
-    private final double price;
     private final List<Fitter.State> leaders;
     private final List<Weight> weights;
     private final Posterior posterior;
@@ -57,12 +59,36 @@ final class Standing {
     }
 
     Standing(Fits fits) {
+        // What was preferred to another that fits a little better is as likely.
+        this(fits, fits.leaders().stream().mapToDouble(Fitter.State::reduced).reduce(fits.best().reduced(), Math::min));
+    }
+
+    /** @param left what the data see of what was found: its mean square [1] */
+    private Standing(Fits fits, double left) {
+        this.fits = fits;
         this.base = fits.base();
         this.best = fits.best();
-        this.price = fits.price();
         this.leaders = fits.leaders();
-        this.weights = weights(fits.evidence());
+        this.weights = weights(left);
         this.posterior = posteriorOfAll();
+    }
+
+    /** With the likeliest as what was found, where the model's own numbers speak for another name than the best fit has. */
+    static Standing of(Fits fits) {
+        Standing asFitted = new Standing(fits);
+        return asFitted.likelier().map(other -> new Standing(fits.with(other), other.reduced())).orElse(asFitted);
+    }
+
+    /** A single name that is likelier than the single one that was found, and stands at no bound that nothing real has. */
+    private Optional<Fitter.State> likelier() {
+        boolean single = best != base && best.candidate().added().size() == 1;
+        return weights.stream().takeWhile(weight -> single && !weight.claim().equals(found())).filter(Weight::isSingle).map(Weight::fit)
+                .filter(fit -> !Search.extreme(fit)).findFirst();
+    }
+
+    /** What all this is about, with what was found as the best. */
+    Fits fits() {
+        return fits;
     }
 
     /** Part of the mismatch that the found mechanisms explain. */
@@ -153,8 +179,10 @@ final class Standing {
     /**
      * What each fit leaves and how far it had to move the model's own numbers make its evidence; all that is the same for all is left out.
      * Likeliest first, last what is in no library, which is supposed to move them as the likeliest does.
+     *
+     * @param ofBest mean square that is left of what was found [1]
      */
-    private List<Weight> weights(Evidence evidence) {
+    private List<Weight> weights(double ofBest) {
         Calibration calibration = Calibration.standard();
         double unlisted = 1 + Calibration.unlisted(base.reduced() - 1);
         double least = Stream.concat(leaders.stream(), Stream.of(base, best)).mapToDouble(Fitter.State::reduced)
@@ -162,11 +190,10 @@ final class Standing {
         List<Weight> all = new ArrayList<>(List.of(new Weight(Claim.VALUES, base, calibration.evidence(base.reduced(), least), 0)));
         leaders.forEach(fit -> all.add(new Weight(claim(fit), fit, calibration.evidence(fit.reduced(), least), 0)));
         if (best != base) {
-            // What was preferred to another that fits a little better is as likely.
-            double left = leaders.stream().mapToDouble(Fitter.State::reduced).reduce(best.reduced(), Math::min);
-            all.add(new Weight(found(), best, calibration.evidence(left, least) - price, 0));
+            all.add(new Weight(found(), best, calibration.evidence(ofBest, least) - fits.price(), 0));
         }
-        List<Weight> out = evidence.standsForSimulation() ? all : withNumbers(evidence, all); // such a model's numbers nobody gave
+        // What stands for a simulation has numbers that nobody gave.
+        List<Weight> out = fits.evidence().standsForSimulation() ? all : withNumbers(fits.evidence(), all);
         out.sort(Comparator.comparingDouble(Weight::sum).reversed());
         out.add(new Weight(UNKNOWN, base, calibration.evidence(unlisted, least), out.get(0).numbers()));
         return out;

@@ -65,7 +65,8 @@ final class Verdicts {
     private final VerdictWords words;
 
     /** @param heldBefore what the fitted model without anything found leaves on data not used */
-    Verdicts(Fits fits, double heldBefore, Search search) {
+    Verdicts(Standing standing, double heldBefore, Search search) {
+        Fits fits = standing.fits();
         this.evidence = fits.evidence();
         this.given = fits.given();
         this.base = fits.base();
@@ -73,7 +74,7 @@ final class Verdicts {
         this.best = fits.best();
         this.search = search;
         this.refinement = search.refinement();
-        this.standing = new Standing(fits);
+        this.standing = standing;
         this.shown = new Presentation(fits, heldBefore, refinement);
         this.scale = shown.scale();
         this.words = new VerdictWords(fits, heldBefore, scale);

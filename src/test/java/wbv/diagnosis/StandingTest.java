@@ -125,6 +125,30 @@ class StandingTest {
                 && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
     }
 
+    /** Play fits a little better than hardening, but with a spring three times as stiff as given. */
+    @Test
+    void theModelsNumbersDecideBetweenWhatFitsAlike() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State hardening = leaving(1.52, mechanism("stiffness.hardening"));
+        Fitter.State straight = leaving(1.5, mechanism("contact.backlash"));
+        double[] x = straight.x().clone();
+        x[straight.candidate().stiffness(0).orElseThrow()] = Math.log(3);
+        Fitter.State play = new Fitter.State(straight.candidate(), x, straight.cost(), straight.square(), straight.raw(), straight.errors(),
+                straight.slopes(), straight.frame());
+        double costs = Math.log1p(Math.pow(Math.log(3) / 0.3, 2));
+        Standing standing = Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening)));
+        assertEquals(hardening, standing.fits().best());
+        assertEquals(0, standing.numbers());
+        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
+        Diagnosis.Named rival = standing.rivals(1).get(0);
+        assertEquals("contact.backlash", rival.mechanism());
+        assertEquals(-costs, rival.numbers(), 0.05 * costs, "the data tell the stiffness well");
+        assertEquals(POWER * Math.log(0.52 / 0.5) + rival.numbers(), Math.log(rival.probability() / standing.probability()), 1e-9);
+        // Alike in both, it decides nothing.
+        assertEquals(straight,
+                Standing.of(new Fits(evidence, plain, plain, Chosen.single(straight), List.of(straight, hardening))).fits().best());
+    }
+
     /** Rivals share what the first leaves them, in proportion; the found mechanism is none of them, however often it was fitted. */
     @Test
     void rivalsHoldNoMoreThanIsLeftForThem() {
