@@ -14,8 +14,8 @@ import java.util.Map;
  * @param carried  part of what is missing that has to go with a law on data that were not used, for the law to be claimed [1]: more than
  *                 what stays
  * @param chance   probability with which chance may seem to be an improvement [1]
- * @param number   by how much the logarithm of a stiffness or damping that a user gives is off, half of them by more [1]: assumed; the answers
- *                 to 172 concealed recordings are as likely with 0.2 and 0.4, and a fifth less with 0.1
+ * @param number   by how much the logarithm of a stiffness or damping that a user gives is off, half of them by more [1]: assumed; the
+ *                 answers to 172 concealed recordings are as likely with 0.2 and 0.4
  */
 public record Priors(double held, double unlisted, double form, double carried, double chance, double number) {
 
