@@ -21,7 +21,7 @@ import wbv.signal.LogSum;
  */
 final class Calibrating {
 
-    private static final int TRIES = 400;
+    private static final int TRIES = 2000;
     /** Where the search begins: logarithms of the parts and of what chance leaves. */
     private static final double[] START = {Math.log(8), Math.log(0.05)};
     private static final double STEP = 0.3;
@@ -81,7 +81,7 @@ final class Calibrating {
     }
 
     private Calibration calibration(String command, String commit) {
-        PointValuePair best = new SimplexOptimizer(1e-9, 1e-9).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE, new InitialGuess(START),
+        PointValuePair best = new SimplexOptimizer(1e-8, 1e-8).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE, new InitialGuess(START),
                 new NelderMeadSimplex(START.length, STEP),
                 new ObjectiveFunction(logs -> score(new Calibration(Math.exp(logs[0]), Math.exp(logs[1]), 0.5, cases.size(), 0, "", ""))));
         double forms = Math.exp(best.getPoint()[0]);
