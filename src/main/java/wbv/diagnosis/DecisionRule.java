@@ -54,7 +54,7 @@ final class DecisionRule {
     private Reading fewest(Posterior posterior) {
         List<Claim> set = new ArrayList<>();
         double held = 0;
-        double near = posterior.of(posterior.ranked().get(0)) * (1 - priors.held()) / priors.held();
+        double near = posterior.of(posterior.ranked().get(0)) * priors.odds();
         for (Claim claim : posterior.ranked()) {
             if (held < priors.held() - ROUNDING && posterior.of(claim) > near) {
                 set.add(claim);

@@ -27,7 +27,10 @@ final class Standing {
     static final Claim UNKNOWN = Claim.elseAt("", "");
     /** Other mechanisms that are told. */
     private static final int RIVALS = 5;
-    /** By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]. */
+    /**
+     * By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]: a hundred such take
+     * less from a probability than the digits that are told.
+     */
     private static final double NEGLIGIBLE = 15;
 
     private final Fits fits;
@@ -81,8 +84,10 @@ final class Standing {
 
     /** A single name that is likelier than the single one that was found, and stands at no bound that nothing real has. */
     private Optional<Fitter.State> likelier() {
-        boolean single = best != base && best.candidate().added().size() == 1;
-        return weights.stream().takeWhile(weight -> single && !weight.claim().equals(found())).filter(Weight::isSingle).map(Weight::fit)
+        if (best.candidate().added().size() != 1) {
+            return Optional.empty();
+        }
+        return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(Weight::isSingle).map(Weight::fit)
                 .filter(fit -> !Search.extreme(fit)).findFirst();
     }
 

@@ -56,10 +56,9 @@ final class VerdictWords {
 
     /** A rival, and why it is one no longer where only the model's own numbers speak against it. */
     private String nextBest(Diagnosis.Named rival, double numbers) {
-        double told = Math.log((1 - Priors.USUAL.held()) / Priors.USUAL.held());
         return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
                 + Phrases.percent(Refinement.explained(base, rival.reduced()))
-                + (rival.numbers() - numbers < told ? ", with stiffness or damping far from what was given" : "");
+                + (rival.numbers() - numbers < Math.log(Priors.USUAL.odds()) ? ", with stiffness or damping far from what was given" : "");
     }
 
     /**

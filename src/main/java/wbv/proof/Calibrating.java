@@ -21,9 +21,11 @@ import wbv.signal.LogSum;
  */
 final class Calibrating {
 
+    /** More evaluations than any search of two numbers needs: one that does not end is a fault. */
     private static final int TRIES = 2000;
     /** Where the search begins: logarithms of the parts and of what chance leaves. */
     private static final double[] START = {Math.log(8), Math.log(0.05)};
+    /** First step of the search, in the same logarithms [1]: by about as much the calibrations of two seeds differ. */
     private static final double STEP = 0.3;
     /** Held so firmly an answer should not be wrong but by a lapse. */
     private static final double FIRM = 0.97;

@@ -22,6 +22,7 @@ import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Priors;
 
 /** What fits leave, as probabilities: by hand. */
 class StandingTest {
@@ -135,7 +136,7 @@ class StandingTest {
         x[straight.candidate().stiffness(0).orElseThrow()] = Math.log(3);
         Fitter.State play = new Fitter.State(straight.candidate(), x, straight.cost(), straight.square(), straight.raw(), straight.errors(),
                 straight.slopes(), straight.frame());
-        double costs = Math.log1p(Math.pow(Math.log(3) / 0.3, 2));
+        double costs = Math.log1p(Math.pow(Math.log(3) / Priors.USUAL.number(), 2));
         Standing standing = Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening)));
         assertEquals(hardening, standing.fits().best());
         assertEquals(0, standing.numbers());

@@ -72,6 +72,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return out;
     }
 
+    /** How many of the knobs, the first, are of the model itself and not of what was added. */
+    public int given() {
+        return knobs.size() - added.stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
+    }
+
     /** The knob of a link's stiffness; empty where the link has none. */
     public OptionalInt stiffness(int link) {
         Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);

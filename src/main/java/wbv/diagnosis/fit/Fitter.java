@@ -312,9 +312,8 @@ public final class Fitter {
      * so many numbers that it counts.
      */
     private static boolean isApart(Candidate candidate) {
-        int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
-        return candidate.knobs().size() - added >= MANY
-                && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
+        return candidate.given() >= MANY
+                && IntStream.range(candidate.given(), candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
     }
 
     private static boolean isOwn(Candidate candidate, int knob) {

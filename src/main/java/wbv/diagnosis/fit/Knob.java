@@ -44,6 +44,11 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         }
     }
 
+    /** Whether it is a stiffness or damping of a link, found as a factor of what was given. */
+    public boolean isOfLink() {
+        return unit == 0 && (slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING);
+    }
+
     /**
      * Multiplicative.
      *

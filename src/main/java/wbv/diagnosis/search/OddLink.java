@@ -41,7 +41,6 @@ record OddLink(int link, double scale, double moved) {
      */
     static Optional<OddLink> in(Fitter.State base) {
         double[][] curvature = new Normal(base).curvature();
-        int given = base.x().length - base.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();
         int links = base.candidate().template().structure().links();   // with those of hidden masses, which have no given numbers
         Optional<OddLink> oddest = Optional.empty();
         double most = ODD;
@@ -49,9 +48,9 @@ record OddLink(int link, double scale, double moved) {
             double sum = 0;
             int others = 0;
             int own = -1;
-            for (int i = 0; i < given; i++) {
+            for (int i = 0; i < base.candidate().given(); i++) {
                 Slot slot = base.candidate().knobs().get(i).slot();
-                if (OwnNumbers.isOfLink(base.candidate().knobs().get(i)) && slot.at() != link) {
+                if (base.candidate().knobs().get(i).isOfLink() && slot.at() != link) {
                     sum += base.x()[i] * base.x()[i];
                     others++;
                 } else if (slot.kind() == Slot.Kind.STIFFNESS) {
@@ -92,7 +91,7 @@ record OddLink(int link, double scale, double moved) {
         double[] out = x.clone();
         for (int i = 0; i < x.length; i++) {
             Knob knob = candidate.knobs().get(i);
-            out[i] = OwnNumbers.isOfLink(knob) && knob.slot().at() == link ? 0 : x[i];
+            out[i] = knob.isOfLink() && knob.slot().at() == link ? 0 : x[i];
         }
         return out;
     }
@@ -104,7 +103,7 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Knob held(Knob knob) {
-        return OwnNumbers.isOfLink(knob) && Double.isFinite(knob.deviation())
+        return knob.isOfLink() && Double.isFinite(knob.deviation())
                 ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale) : knob;
     }
 }

@@ -3,9 +3,7 @@ package wbv.diagnosis.search;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
-import wbv.diagnosis.fit.Slot;
 
 /**
  * How likely a model's own numbers are where a fit had to move them: a law that explains a recording only if a spring is three times as
@@ -25,8 +23,8 @@ public final class OwnNumbers {
      * @param fit without derivatives; they are found
      */
     public static double logPrior(Fitter fitter, Fitter.State fit) {
-        int given = fit.x().length - fit.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();
-        int[] moved = IntStream.range(0, given).filter(i -> isOfLink(fit.candidate().knobs().get(i)) && fit.x()[i] != 0).toArray();
+        int[] moved = IntStream.range(0, fit.candidate().given())
+                .filter(i -> fit.candidate().knobs().get(i).isOfLink() && fit.x()[i] != 0).toArray();
         if (moved.length == 0) {
             return 0;
         }
@@ -35,11 +33,6 @@ public final class OwnNumbers {
         double scale = Priors.USUAL.number();
         return -Arrays.stream(moved).mapToDouble(i -> fit.x()[i] * fit.x()[i] / (scale * scale + variance(curvature, i))).map(Math::log1p)
                 .sum();
-    }
-
-    /** Whether a number is a stiffness or damping of a link, found as a factor of what was given. */
-    static boolean isOfLink(Knob knob) {
-        return knob.unit() == 0 && (knob.slot().kind() == Slot.Kind.STIFFNESS || knob.slot().kind() == Slot.Kind.DAMPING);
     }
 
     /**

@@ -33,4 +33,9 @@ public record Priors(double held, double unlisted, double form, double carried, 
             throw new IllegalArgumentException("held must be > 0.5: " + held);
         }
     }
+
+    /** Odds [1] of the other of two names where one holds just enough. */
+    public double odds() {
+        return (1 - held) / held;
+    }
 }

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.LUDecomposition;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.ModelFile;
@@ -18,6 +20,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
+import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 
 /** Numbers of a model on a recording of another engine in which nothing is missing. */
@@ -27,7 +30,7 @@ class OwnNumbersTest {
     private static final int LINK = 1;
 
     private final Model right = ModelFile.read(NULL_CASE.resolve("model.json"));
-    private final wbv.recording.Recording recording = new RecordingFile(NULL_CASE.resolve("recording.csv.gz")).load();
+    private final Recording recording = new RecordingFile(NULL_CASE.resolve("recording.csv.gz")).load();
 
     OwnNumbersTest() throws IOException {}
 
@@ -73,14 +76,14 @@ class OwnNumbersTest {
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
         double[] x = new double[baseline.knobs().size()];
-        int[] links = IntStream.range(0, x.length).filter(i -> OwnNumbers.isOfLink(baseline.knobs().get(i))).toArray();
+        int[] links = IntStream.range(0, x.length).filter(i -> baseline.knobs().get(i).isOfLink()).toArray();
         for (int at : links) {
             double[] moved = x.clone();
             moved[at] = 1;
             Fitter.State look = fitter.look(baseline, moved, evidence.fit());
             double[][] curvature = new Normal(fitter.lookWithSlopes(baseline, moved, look.frame())).curvature();
-            double variance = new org.apache.commons.math3.linear.LUDecomposition(
-                    new org.apache.commons.math3.linear.Array2DRowRealMatrix(curvature)).getSolver().getInverse().getEntry(at, at);
+            double variance = new LUDecomposition(
+                    new Array2DRowRealMatrix(curvature)).getSolver().getInverse().getEntry(at, at);
             double scale = Priors.USUAL.number();
             assertEquals(-Math.log(1 + 1 / (scale * scale + variance)), OwnNumbers.logPrior(fitter, look), 1e-6);
         }
@@ -98,9 +101,9 @@ class OwnNumbersTest {
     @Test
     void onlyWhatALinkWasGivenIsAsked() {
         Slot stiffness = Slot.of(Slot.Kind.STIFFNESS, 0);
-        assertTrue(OwnNumbers.isOfLink(new Knob("k", stiffness, 1e4, 0, -3, 3, 2)));
-        assertTrue(OwnNumbers.isOfLink(new Knob("c", Slot.of(Slot.Kind.DAMPING, 0), 100, 0, -3, 3, 2)));
-        assertTrue(!OwnNumbers.isOfLink(new Knob("m", Slot.of(Slot.Kind.MASS, 0), 7, 0, -3, 3, 2)));
-        assertTrue(!OwnNumbers.isOfLink(new Knob("k", stiffness, 0, 1, -3, 3, 2)), "not a factor of what was given");
+        assertTrue(new Knob("k", stiffness, 1e4, 0, -3, 3, 2).isOfLink());
+        assertTrue(new Knob("c", Slot.of(Slot.Kind.DAMPING, 0), 100, 0, -3, 3, 2).isOfLink());
+        assertTrue(!new Knob("m", Slot.of(Slot.Kind.MASS, 0), 7, 0, -3, 3, 2).isOfLink());
+        assertTrue(!new Knob("k", stiffness, 0, 1, -3, 3, 2).isOfLink(), "not a factor of what was given");
     }
 }
