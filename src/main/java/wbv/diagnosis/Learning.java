@@ -46,7 +46,7 @@ final class Learning {
     Diagnosed completed(Diagnosed found) {
         Fits fits = found.fits;
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
-        boolean lacks = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(fits);
+        boolean lacks = !found.diagnosis().missing().isEmpty() && LawLearner.lacks(fits);
         boolean nearly = lacks && explainsNearlyAll(fits, fits.best());
         Optional<Learnt> first = nearly ? form(fits) : Optional.empty();
         boolean asked = refused || LawLearner.doubts(fits) && (!nearly || first.isPresent());

@@ -5,6 +5,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.law.BristleFriction;
@@ -51,7 +52,18 @@ record DryFriction() implements Mechanism {
                 Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
                         List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v),
                                 factor(0.1 * f / r, 1000 * f / r)),
-                        grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r))));
+                        bristles(f, r, v)));
+    }
+
+    /** What breaks loose may do so at once or hardly before it is fast: between the two a fit finds no way. */
+    private static List<Start> bristles(double f, double r, double v) {
+        List<Start> starts = new ArrayList<>();
+        for (double speed : new double[] {0.3, 0.03}) {
+            for (double bend : new double[] {2, 10, 50}) {
+                starts.add(fixed(f, 1.1 * f, speed * v, bend * f / r));
+            }
+        }
+        return starts;
     }
 
     @Override

@@ -129,7 +129,7 @@ public final class Refinement {
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
-                    : Trial.begun(ground, score, from.apply(score.hypothesis()));
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()), evidence.model().driven() ? Integer.MAX_VALUE : 1);
         }));
         out.sort(LEAST);
         return out;

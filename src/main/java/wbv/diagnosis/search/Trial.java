@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
@@ -41,11 +42,12 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     }
 
     /**
-     * The most promising starts of a hypothesis, and a few steps from each; one that is far behind is dropped.
+     * The most promising starts of a hypothesis, and a few steps from each; those that are far behind are dropped.
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
+     * @param most starts that are begun from each of them
      */
-    static Trial begun(Ground ground, Screening.Score score, List<double[]> from) {
+    static Trial begun(Ground ground, Screening.Score score, List<double[]> from, int most) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
@@ -56,33 +58,33 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        List<Fitter.State> begun = sorted(from.stream().map(numbers -> begun(ground, score, starts, numbers)).toList());
-        return new Trial(ground, begun.size() > 1 && begun.get(1).cost() > BEHIND * begun.get(0).cost() ? begun.subList(0, 1) : begun);
+        List<Fitter.State> begun = sorted(from.stream().flatMap(numbers -> begun(ground, score, starts, numbers, most)).toList());
+        return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > BEHIND * begun.get(0).cost())).toList());
     }
 
-    private static Fitter.State begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers) {
+    private static Stream<Fitter.State> begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers, int most) {
         Fitter.State base = ground.base();
         List<double[]> own = starts.stream().map(double[]::clone).toList();
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
         boolean fitted = Arrays.equals(numbers, base.x());
         double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
         int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
-        Fitter.State first = best(ground, score.candidate(), own, without);
-        return fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
-                : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, ENOUGH);
+        return best(ground, score.candidate(), own, without).stream().limit(most)
+                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
+                        : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, ENOUGH));
     }
 
     /**
-     * The best of some starts. One that changes nothing, a stop that is never reached, looks best where every other start is
+     * Some starts, best first. One that changes nothing, a stop that is never reached, looks best where every other start is
      * still far off, and leads nowhere: it counts only where there is no other.
      *
      * @param without cost without the hypothesis
      */
-    private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without) {
+    private static List<Fitter.State> best(Ground ground, Candidate with, List<double[]> starts, double without) {
         Fitter.Frame frame = ground.base().frame();
         List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
-        return looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
-                .orElse(looks.get(0));
+        List<Fitter.State> at = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).toList();
+        return at.isEmpty() ? looks.subList(0, 1) : at;
     }
 
     /**
