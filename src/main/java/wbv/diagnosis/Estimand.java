@@ -34,8 +34,11 @@ record Estimand(String key, int[] at, double[] weights, boolean amplitude, doubl
                     .applyAsDouble(IntStream.of(at).mapToDouble(i -> candidate.knobs().get(i).reference()).toArray());
             return new Estimand(told.key(), at, told.weights(), false, reference, 0);
         }
-        return new Estimand(told.key(), at, told.weights(), told.kind() == Told.Kind.AMPLITUDE, at.length == 1 ? first.reference() : 0,
-                first.unit());
+        if (at.length == 1) {
+            double factor = told.weights()[0];
+            return new Estimand(told.key(), at, new double[] {1}, false, factor * first.reference(), factor * first.unit());
+        }
+        return new Estimand(told.key(), at, told.weights(), told.kind() == Told.Kind.AMPLITUDE, 0, first.unit());
     }
 
     /** Whether it is a coordinate itself. */

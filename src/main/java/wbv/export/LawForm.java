@@ -204,6 +204,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     remembered = steady + (unloaded - steady) * exp(-abs(travel - sign * free) / yield_m)
                     force = share * k * (remembered - r)
                     """),
+            Map.entry("Slider", """
+                    remembered = max(-slip_m, min(slip_m, memory + r - r_before))
+                    force = sliding_share * k * (remembered - r)
+                    """),
             Map.entry("ContactLoss", "force = min(0, preload_N - k * r - c * v)"),
             Map.entry("RoundedContactLoss", """
                     pull = k * r + c * v - preload_N
@@ -284,6 +288,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             case "BoucWen" -> """
                     rate = v * memory > 0 ? v * (1 - abs(memory) / yield_m) : v
                     force = share * k * (memory - r)
+                    """;
+            case "Slider" -> """
+                    rate = memory > slip_m ? min(0, v) : (memory < -slip_m ? max(0, v) : v)
+                    force = sliding_share * k * (memory - r)
                     """;
             case "StepChange" -> """
                     share = t < time_s ? 0 : 1

@@ -264,7 +264,10 @@ public final class Simulator {
         private final double[][] driveForce;
         private boolean diverged;
         private final Optional<Bends> bends;
-        /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
+        /**
+         * Derivatives of what all laws of a link carry [parameter][law] as spectra, at the first of them, at the others nothing; only for a
+         * free run.
+         */
         private final double[][][] lawSlope;
 
         Run(Assembly assembly, Sensitivities sensitivities, Optional<Bends> given) {
@@ -483,10 +486,26 @@ public final class Simulator {
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
                 lawForce[i] = excitation.spectrumOfForce(result.force()[i]);
+                int[] together = sameLink(i);
                 for (int p = from; p < count; p++) {
-                    lawSlope[p][i] = p < moving ? excitation.spectrumOfForce(result.slope()[i][p - from]) : new double[0];
+                    lawSlope[p][i] = p < moving && together[0] == i ? excitation.spectrumOfForce(sum(result.slope(), together, p - from))
+                            : new double[0];
                 }
             }
+        }
+
+        /** Laws of the link of one, in their order. */
+        private int[] sameLink(int law) {
+            List<LawAt> laws = assembly.laws();
+            return IntStream.range(0, laws.size()).filter(i -> laws.get(i).link() == laws.get(law).link()).toArray();
+        }
+
+        private static double[] sum(double[][][] slopes, int[] laws, int parameter) {
+            double[] out = slopes[laws[0]][parameter];
+            for (int l = 1; l < laws.length; l++) {
+                Spectra.add(out, slopes[laws[l]][parameter], 1);
+            }
+            return out;
         }
 
         private FreeRun freeRun(Sensitivities slopes, double[][] modulation) {

@@ -25,6 +25,11 @@ record Extension(Assembly template, List<Knob> knobs) {
                 laws.add(new LawAt(in.link(), in.law()));
                 assembly = new Assembly(assembly.structure(), laws, assembly.drives(), assembly.outputs());
                 next = add(all, hypothesis, next, Slot.Kind.LAW, laws.size() - 1, 0, Numbers.values((Record) in.law()).length);
+            } else if (addition instanceof Addition.AlikeInLink in) {
+                List<LawAt> laws = new ArrayList<>(assembly.laws());
+                laws.add(new LawAt(in.link(), in.law()));
+                assembly = new Assembly(assembly.structure(), laws, assembly.drives(), assembly.outputs());
+                tie(all, Slot.Kind.LAW, laws.size() - 1, 0, in.factors());
             } else if (addition instanceof Addition.Driven driven) {
                 List<Assembly.DriveAt> drives = new ArrayList<>(assembly.drives());
                 drives.add(new Assembly.DriveAt(driven.place(), driven.drive()));
@@ -38,7 +43,7 @@ record Extension(Assembly template, List<Knob> knobs) {
                 outputs.set(of.output(), output.with(faults));
                 assembly = new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs);
                 if (of instanceof Addition.Alike alike) {
-                    tie(all, alike, faults.size() - 1);
+                    tie(all, Slot.Kind.FAULT, of.output(), faults.size() - 1, alike.factors());
                 } else {
                     next = add(all, hypothesis, next, Slot.Kind.FAULT, of.output(), faults.size() - 1,
                             Numbers.values((Record) of.fault()).length);
@@ -70,11 +75,11 @@ record Extension(Assembly template, List<Knob> knobs) {
         return next + count;
     }
 
-    /** Lets the last knobs, which are those of the device's first channel, move another's numbers too. */
-    private static void tie(List<Knob> all, Addition.Alike alike, int fault) {
-        int first = all.size() - alike.factors().size();
-        for (int c = 0; c < alike.factors().size(); c++) {
-            all.set(first + c, all.get(first + c).tied(new Slot(Slot.Kind.FAULT, alike.output(), fault, c), alike.factors().get(c)));
+    /** Lets the last knobs, which are those of the first that is alike, move another's numbers too. */
+    private static void tie(List<Knob> all, Slot.Kind kind, int at, int fault, List<Double> factors) {
+        int first = all.size() - factors.size();
+        for (int c = 0; c < factors.size(); c++) {
+            all.set(first + c, all.get(first + c).tied(new Slot(kind, at, fault, c), factors.get(c)));
         }
     }
 

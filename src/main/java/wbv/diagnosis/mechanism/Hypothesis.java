@@ -92,7 +92,29 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         }
 
         /** A law in a link. */
-        record InLink(int link, Law law) implements Addition {}
+        sealed interface OfLink extends Addition {
+            /** Index of the link. */
+            int link();
+
+            /** The law, whose numbers mean nothing yet. */
+            Law law();
+        }
+
+        /** A law in a link, with numbers of its own. */
+        record InLink(int link, Law law) implements OfLink {}
+
+        /** Another law in a link with the same numbers as the one before it, times factors. */
+        record AlikeInLink(int link, Law law, List<Double> factors) implements OfLink {
+            public AlikeInLink {
+                factors = List.copyOf(factors);
+            }
+
+            private double[] numbers(double[] first) {
+                double[] out = first.clone();
+                Arrays.setAll(out, i -> factors.get(i) * first[i]);
+                return out;
+            }
+        }
 
         /** A drive in a link, or on a body where {@link Drive#actsOnBody}. */
         record Driven(int place, Drive drive) implements Addition {}
@@ -226,6 +248,28 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         public static List<Start> grid(double[] at, DoubleFunction<Start> make) {
             return Arrays.stream(at).mapToObj(make).toList();
         }
+    }
+
+    /**
+     * Its laws with numbers, where all that it adds are laws in links.
+     *
+     * @param values one a number, in its unit. Not modified.
+     */
+    public List<Law> laws(double[] values) {
+        List<Law> out = new ArrayList<>();
+        double[] own = {};
+        int next = 0;
+        for (Addition addition : additions) {
+            Record law = (Record) ((Addition.OfLink) addition).law();
+            if (addition instanceof Addition.AlikeInLink alike) {
+                out.add((Law) Numbers.with(law, alike.numbers(own)));
+            } else {
+                own = Arrays.copyOfRange(values, next, next + Numbers.values(law).length);
+                next += own.length;
+                out.add((Law) Numbers.with(law, own));
+            }
+        }
+        return out;
     }
 
     /** Word of the vocabulary. */

@@ -21,9 +21,9 @@ public record Told(String key, int[] of, double[] weights, Kind kind, ToDoubleFu
         return new Told(key, new int[] {of}, new double[] {1}, Kind.SUM, x -> x[0]);
     }
 
-    /** The sum of two of the same unit. */
-    public static Told sum(String key, int one, int other) {
-        return new Told(key, new int[] {one, other}, new double[] {1, 1}, Kind.SUM, x -> x[0] + x[1]);
+    /** One times a factor [1]. */
+    public static Told scaled(String key, int of, double factor) {
+        return new Told(key, new int[] {of}, new double[] {factor}, Kind.SUM, x -> factor * x[0]);
     }
 
     /** The root of the sum of two squares. */

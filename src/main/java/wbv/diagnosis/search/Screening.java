@@ -6,9 +6,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
-import wbv.body.Assembly;
+import wbv.body.Structure;
 import wbv.body.law.Law;
-import wbv.body.number.Numbers;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
@@ -181,8 +180,9 @@ public final class Screening {
      * @param values by number, in its unit. Not modified.
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
-            return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
+        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.OfLink)) {
+            int link = ((Hypothesis.Addition.OfLink) hypothesis.additions().get(0)).link();
+            return seen(linear.answer(link, force(hypothesis, link, values)));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false, bends).outputs();
@@ -197,23 +197,13 @@ public final class Screening {
     }
 
     /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
-    private double[] force(Hypothesis hypothesis, double[] values) {
-        Assembly assembly = state.candidate().at(state.x());
-        double[] sum = new double[0];
-        int next = 0;
-        for (Hypothesis.Addition addition : hypothesis.additions()) {
-            Hypothesis.Addition.InLink in = (Hypothesis.Addition.InLink) addition;
-            Record record = (Record) in.law();
-            int count = Numbers.values(record).length;
-            Law law = (Law) Numbers.with(record, Arrays.copyOfRange(values, next, next + count));
-            next += count;
-            double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()),
-                    assembly.structure().stiffness()[in.link()],
-                    assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulators.of(law.modulator()));
-            for (int i = 0; i < sum.length; i++) {
-                own[i] += sum[i];
-            }
-            sum = own;
+    private double[] force(Hypothesis hypothesis, int link, double[] values) {
+        Structure structure = state.candidate().at(state.x()).structure();
+        double[] sum = new double[motion.displacement(link).length];
+        for (Law law : hypothesis.laws(values)) {
+            double[] own = law.series(motion.displacement(link), motion.velocity(link), structure.stiffness()[link],
+                    structure.damping()[link], evidence.excitation().fineStep(), modulators.of(law.modulator()));
+            Arrays.setAll(sum, i -> sum[i] + own[i]);
         }
         return sum;
     }

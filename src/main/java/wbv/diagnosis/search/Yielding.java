@@ -18,7 +18,7 @@ import wbv.diagnosis.mechanism.Hysteresis;
 /**
  * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
  * spring are a spring that yields early. Which of the two a link has, the form of the loop tells, once each is fitted as well as
- * it can be: from where the other stands, and hysteresis in two stages (after Iwan, Journal of Applied Mechanics 1966).
+ * it can be: from where the other stands, and hysteresis that comes little by little (Iwan, Journal of Applied Mechanics 1966).
  */
 final class Yielding {
 
@@ -27,8 +27,6 @@ final class Yielding {
     /** The most of a link's stiffness that becomes bristles: a link keeps some. */
     private static final double MOST = 0.97;
     private static final double LEAST = 1e-3;
-    /** What a second stage must take off the cost. */
-    private static final double LEAST_GAIN = 80;
     private static final int STEPS = 10;
 
     private final Fitter fitter;
@@ -59,7 +57,7 @@ final class Yielding {
             List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
                     stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})))
                     .orElse(List.of()));
-            out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
+            out.addAll(gradual(fit, in.link(), stiffness, found[0], found[1]));
             return out;
         }
         if (in.law() instanceof BristleFriction) {
@@ -69,8 +67,7 @@ final class Yielding {
             List<Fitter.State> out = new ArrayList<>(
                     of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
                             List.of(new double[] {share, yield}))).orElse(List.of()));
-            double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
-            out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
+            out.addAll(gradual(fit, in.link(), stiffness + hanging, share, yield));
             return out;
         }
         return List.of();
@@ -82,15 +79,9 @@ final class Yielding {
                 && in.law().getClass() == law).findFirst();
     }
 
-    /**
-     * Hysteresis in two stages, if it does plainly better than in one.
-     *
-     * @param single cost of one stage
-     */
-    private List<Fitter.State> staged(Fitter.State from, int link, double stiffness, double share, double yield, double single) {
-        Hypothesis two = new Hysteresis().twoStages(link, from.candidate().last().where(), share, yield);
-        return polished(from, link, stiffness, two, two.starts().stream().map(Hypothesis.Start::values).toList()).stream()
-                .filter(fit -> single - fit.cost() > LEAST_GAIN).toList();
+    private List<Fitter.State> gradual(Fitter.State from, int link, double stiffness, double share, double yield) {
+        Hypothesis gradual = new Hysteresis().gradual(link, from.candidate().last().where(), share, yield);
+        return polished(from, link, stiffness, gradual, gradual.starts().stream().map(Hypothesis.Start::values).toList());
     }
 
     /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */

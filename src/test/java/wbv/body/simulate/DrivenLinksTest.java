@@ -25,6 +25,7 @@ import wbv.body.law.LinkMotion;
 import wbv.body.law.MaxwellArm;
 import wbv.body.law.PolynomialSpring;
 import wbv.body.law.QuadraticSpring;
+import wbv.body.law.Slider;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
@@ -37,7 +38,7 @@ class DrivenLinksTest {
     static Stream<Law> laws() {
         return Stream.of(new EngagingFriction(900, 700, 0.004, 2.5), new QuadraticSpring(4e5),
                 new PolynomialSpring(3e5, 2e7),
-                new BristleFriction(300, 360, 0.05, 2e5), new CoulombFriction(200, 0.01), new BoucWen(0.4, 2e-3),
+                new BristleFriction(300, 360, 0.05, 2e5), new CoulombFriction(200, 0.01), new BoucWen(0.4, 2e-3), new Slider(0.4, 2e-3),
                 new BumpStop(9e5, 6e-3, Law.Side.BOTH), new MaxwellArm(40000, 0.05));
     }
 

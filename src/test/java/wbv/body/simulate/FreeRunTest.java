@@ -38,6 +38,7 @@ import wbv.body.law.RoundedBacklash;
 import wbv.body.law.RoundedContactLoss;
 import wbv.body.law.SaturatingSpring;
 import wbv.body.law.Settling;
+import wbv.body.law.Slider;
 import wbv.body.law.SlowDrift;
 import wbv.body.law.StepChange;
 import wbv.body.number.Modulator;
@@ -53,7 +54,7 @@ class FreeRunTest {
         return Stream.of(new SaturatingSpring(1e-3), new QuadraticSpring(2e6), new ProgressiveSpring(60000, 1e-3),
                 new PolynomialSpring(-2e6, 5e9), new EngagingFriction(60, 45, 6e-4, 2), new CubicSpring(-2e9), new CubicSpring(5e9),
                 new AsymmetricSpring(0.6), new QuadraticDamping(8000), new CoulombFriction(30, 1e-3),
-                new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new ContactLoss(60),
+                new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new Slider(0.4, 8e-4), new ContactLoss(60),
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4),
                 new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5), new StepChange(1.2, 0.5, 0.7),
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
