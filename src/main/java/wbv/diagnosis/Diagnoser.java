@@ -22,6 +22,7 @@ import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.InputLevel;
@@ -236,7 +237,7 @@ public final class Diagnoser {
     /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
     private Diagnosed asKnown(Candidate baseline, Fitter.State base, Whereabouts where) {
         boolean unknown = evidence.bodyForce().isEmpty();
-        List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
+        List<Fitter.State> leaders = leaders(base, where);
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
         Map<Channel, Double> input = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(best) : Map.of();
@@ -259,6 +260,17 @@ public final class Diagnoser {
         }
         Diagnosed found = conclude(baseline, base, leaders);
         return isUnexplained(found) && unknown ? where.push().flatMap(push -> beside(push, base, Diagnoser::run)).orElse(found) : found;
+    }
+
+    private List<Fitter.State> leaders(Fitter.State base, Whereabouts where) {
+        List<Fitter.State> near = search.leaders(base, Search.LEADERS, where);
+        double unlisted = Calibration.unlisted(base.reduced() - 1);
+        List<Fitter.State> all = new ArrayList<>(near);
+        if (near.isEmpty() || near.get(0).reduced() - 1 > unlisted) {
+            where.besideSensor(unlisted).ifPresent(farther -> all.addAll(search.leaders(base, Search.LEADERS, farther)));
+            all.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        }
+        return all;
     }
 
     /**

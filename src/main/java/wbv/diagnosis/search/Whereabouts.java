@@ -121,6 +121,20 @@ public final class Whereabouts {
         return places.whole().computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
     }
 
+    /**
+     * Where the mismatch may enter if not where it is likeliest to, at a sensor whose faults do not explain it: a sensor has no law of its
+     * own that could be none of the library's. Empty where that is not so, or nowhere else.
+     *
+     * @param most excess [1] that an arbitrary signal there may leave
+     */
+    public Optional<Whereabouts> besideSensor(double most) {
+        Set<Place> near = near(baseline, places.found(), LITTLE);
+        Set<Place> farther = places.found().stream().filter(found -> found.reduced() - 1 <= most).map(found -> plain(baseline, found))
+                .filter(place -> !near.contains(place)).collect(Collectors.toSet());
+        return near.isEmpty() || farther.isEmpty() || !near.stream().allMatch(Place::isSensor) ? Optional.empty()
+                : Optional.of(new Whereabouts(evidence, baseline, places, h -> farther.contains(Place.plain(h, baseline))));
+    }
+
     /** The same for some hypotheses only. */
     public Whereabouts only(Predicate<Hypothesis> open) {
         return new Whereabouts(evidence, baseline, places, likely.and(open));

@@ -85,6 +85,20 @@ class WhereaboutsTest {
         assertTrue(likely.size() < all.size() / 2, likely.size() + " of " + all.size());
     }
 
+    /** Where a sensor errs, and no fault of it explains that, something else near it may; a law in a link may be none of the library's. */
+    @Tag("slow")
+    @Test
+    void whatNoFaultOfASensorExplainsMayComeFromElsewhere() throws Exception {
+        Asked late = asked("sensor.delay", 2);
+        assertTrue(late.where().besideSensor(0).isEmpty(), "where nothing may be left");
+        Whereabouts elsewhere = late.where().besideSensor(late.base().reduced() - 1).orElseThrow();
+        List<Hypothesis> likely = bank(late).stream().filter(elsewhere::likely).toList();
+        assertFalse(likely.isEmpty());
+        assertTrue(likely.stream().noneMatch(h -> late.where().likely(h)), likely.toString());
+        Asked friction = asked("friction.coulomb", 2);
+        assertTrue(friction.where().besideSensor(friction.base().reduced() - 1).isEmpty());
+    }
+
     /** The force that moves a sitter who sits still: of white noise between half a hertz and five, most shows. */
     @Tag("slow")
     @Test
