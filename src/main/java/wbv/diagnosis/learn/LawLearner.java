@@ -8,8 +8,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import org.apache.commons.math3.stat.StatUtils;
-import org.apache.commons.math3.stat.inference.WilcoxonSignedRankTest;
 import wbv.body.Assembly;
 import wbv.body.law.LawAt;
 import wbv.body.law.Learned;
@@ -21,7 +19,6 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
 import wbv.diagnosis.search.Chosen;
@@ -54,11 +51,6 @@ public final class LawLearner {
     private static final int MOST_CORRECTING = 2;
     /** How many of the most evident laws are asked to hold. */
     private static final int HELD_OUT = 3;
-    /**
-     * Stretches of data not used on which two fits are held against each other: of ten to thirty few depend on each other and all tell
-     * nearly as much (Schmeiser 1982); twelve leave room for one that chance turns.
-     */
-    private static final int STRETCHES = 12;
 
     private final Evidence evidence;
     private final Search search;
@@ -412,32 +404,10 @@ public final class LawLearner {
         return evidence.onRig() ? 0 : 1;
     }
 
-    /**
-     * Whether a fit leaves less on data not used by more than chance, by the signed ranks of stretches (Diebold and Mariano 1995): not by
-     * lines of the spectrum, of which a few hold nearly all where a rig is moved by a sine.
-     */
+    /** Whether a fit leaves less on data not used by more than chance. */
     private boolean foretells(Fitter.State fit, Fitter.State than) {
         Fitter later = new Fitter(evidence, evidence.whole());
-        double[] with = squares(later.look(fit.candidate(), fit.x(), evidence.heldOut()));
-        double[] without = squares(later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut())));
-        double[] less = new double[STRETCHES];
-        for (int i = 0; i < with.length; i++) {
-            less[(int) ((long) STRETCHES * i / with.length)] += without[i] - with[i];
-        }
-        return StatUtils.mean(less) > 0
-                && new WilcoxonSignedRankTest().wilcoxonSignedRankTest(new double[STRETCHES], less, true) < 2 * Priors.USUAL.chance();
-    }
-
-    /** Square of what is left, whitened, by time, all outputs together. */
-    private static double[] squares(Fitter.State state) {
-        Window window = state.frame().whitening().window();
-        double[] residual = state.residual();
-        int each = 2 * window.lines();
-        double[] out = new double[window.length()];
-        for (int from = 0; from < residual.length; from += each) {
-            double[] series = window.series(Arrays.copyOfRange(residual, from, from + each));
-            Arrays.setAll(out, i -> out[i] + series[i] * series[i]);
-        }
-        return out;
+        return Forecasts.of(later.look(fit.candidate(), fit.x(), evidence.heldOut()),
+                later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut()))).isBetter();
     }
 }
