@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.LinkedHashMap;
@@ -68,6 +69,8 @@ class RigDiagnosisTest {
         Diagnosis d = diagnose(driven(0, 0), damper(true), Optional.of(OTHER));
         assertEquals(List.of("contact.backlash"), d.missing().stream().map(Diagnosis.Named::mechanism).toList(), d.sentence());
         assertEquals(0.006, d.missing().get(0).parameters().get("engagement_m"), 0.0006);
+        // The gain of the only force is that of all numbers of the link.
+        assertFalse(d.fit().sensors().getOrDefault(DAMPER.toString(), Map.of()).containsKey("gain"), d.fit().sensors().toString());
     }
 
     @Tag("slow")

@@ -3,7 +3,6 @@ package wbv.body.simulate;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Structure;
-import wbv.body.law.LawSlopes;
 
 /**
  * The derivatives of state, law forces and memories of a {@link FreeRun} to every parameter, carried from step to step: those of the

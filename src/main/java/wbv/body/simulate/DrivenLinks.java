@@ -8,7 +8,6 @@ import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
 import wbv.body.law.LawAt;
-import wbv.body.law.LawSlopes;
 import wbv.body.law.LinkMotion;
 import wbv.recording.DataFault;
 

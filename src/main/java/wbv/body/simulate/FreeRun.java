@@ -7,7 +7,6 @@ import org.ejml.data.DMatrixRMaj;
 import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.law.LawAt;
-import wbv.body.law.LawSlopes;
 import wbv.body.law.LinkMotion;
 
 /**

@@ -1,5 +1,8 @@
-package wbv.body.law;
+package wbv.body.simulate;
 
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.law.LinkMotion;
 import wbv.body.number.Numbers;
 
 /**
@@ -7,18 +10,18 @@ import wbv.body.number.Numbers;
  * itself. The law is a closed expression, so these are exact to about nine digits wherever it is smooth; the free run's
  * sensitivities built from them are those of the discrete step.
  */
-public final class LawSlopes {
+final class LawSlopes {
 
     private static final double DISPLACEMENT = 1e-9;
     private static final double VELOCITY = 1e-8;
     private static final double RELATIVE = 1e-6;
 
     /** The law whose slopes these are. */
-    public final Law law;
+    final Law law;
     /** Index of the link that it acts in. */
-    public final int link;
+    final int link;
     /** Number of the law's own numbers. */
-    public final int parameters;
+    final int parameters;
     private final boolean late;
     private final boolean remembers;
     private final Law[] higher;
@@ -26,31 +29,31 @@ public final class LawSlopes {
     private final double[] difference;
 
     /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, own. */
-    public final double[] force;
+    final double[] force;
     /** Slopes of the memory, likewise. */
-    public final double[] memory;
+    final double[] memory;
 
     /** Index of the slope to the displacement at the end of the step: of the force [N/m]. */
-    public static final int DISPLACEMENT_NOW = 0;
+    static final int DISPLACEMENT_NOW = 0;
     /** To the velocity at the end of the step [N s/m]. */
-    public static final int VELOCITY_NOW = 1;
+    static final int VELOCITY_NOW = 1;
     /** To the displacement at its beginning [N/m]; 0 for a law without memory. */
-    public static final int DISPLACEMENT_BEFORE = 2;
+    static final int DISPLACEMENT_BEFORE = 2;
     /** To the memory at its beginning; 0 for a law without memory. */
-    public static final int MEMORY_BEFORE = 3;
+    static final int MEMORY_BEFORE = 3;
     /** To the displacement as long ago as the law is late [N/m]; 0 for one that is not. */
-    public static final int LATE_DISPLACEMENT = 4;
+    static final int LATE_DISPLACEMENT = 4;
     /** To the velocity as long ago as the law is late [N s/m]; 0 for one that is not. */
-    public static final int LATE_VELOCITY = 5;
+    static final int LATE_VELOCITY = 5;
     /** To the stiffness k of the link [m]. */
-    public static final int STIFFNESS = 6;
+    static final int STIFFNESS = 6;
     /** To the damping c of the link [m/s]. */
-    public static final int DAMPING = 7;
+    static final int DAMPING = 7;
     /** First of the slopes to the law's own numbers, in their order. */
-    public static final int OWN = 8;
+    static final int OWN = 8;
 
     /** Fills in the motion of a law some time before a sample. */
-    public interface Past {
+    interface Past {
         /**
          * Sets a motion to what it was.
          *
@@ -62,7 +65,7 @@ public final class LawSlopes {
     }
 
     /** Prepares the differences; slopes are 0 until {@link #take}. */
-    public LawSlopes(LawAt at) {
+    LawSlopes(LawAt at) {
         law = at.law();
         link = at.link();
         late = law.lateness() > 0;
@@ -97,7 +100,7 @@ public final class LawSlopes {
     }
 
     /** Whether the law answers late. */
-    public boolean late() {
+    boolean late() {
         return late;
     }
 
@@ -107,7 +110,7 @@ public final class LawSlopes {
      *
      * @param start force from which the memory starts [N]
      */
-    public double[] startSlopes(double start) {
+    double[] startSlopes(double start) {
         double[] out = new double[OWN + parameters];
         double h = RELATIVE * Math.max(Math.abs(start), 1e-3);
         out[0] = (law.memoryOf(start + h) - law.memoryOf(start - h)) / (2 * h);
@@ -127,7 +130,7 @@ public final class LawSlopes {
      * @param m restored on return.
      * @param past for the late motion
      */
-    public void take(LinkMotion m, Past past, int slot, int index) {
+    void take(LinkMotion m, Past past, int slot, int index) {
         double r = m.displacement;
         m.displacement = r + DISPLACEMENT;
         double f = law.force(m);
