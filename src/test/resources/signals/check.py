@@ -1,7 +1,8 @@
-"""Reads with other programs what wbv wrote: python check.py FOLDER; see README.md. Needs numpy, pandas, polars, pyarrow, scipy,
-pyuff and soundfile."""
+"""Reads with other programs what wbv wrote: python check.py FOLDER; see README.md. Needs h5py, numpy, pandas, polars, pyarrow,
+scipy, pyuff and soundfile."""
 import sys
 
+import h5py
 import numpy as np
 import pandas as pd
 import polars as pl
@@ -30,6 +31,11 @@ for name, relative in (("r.uff", 0), ("r.unv", 1e-12)):
 mat = scipy.io.loadmat(f"{folder}/r.mat")
 for channel in truth.columns:
     near("r.mat", channel, mat[channel.replace(".", "_")], 0)
+with h5py.File(f"{folder}/r.h5") as hdf:
+    assert list(hdf.attrs["order"].astype(str)) == channels
+    for channel in truth.columns:
+        near("r.h5", channel, hdf[channel][:], 0)
+        assert hdf[channel].attrs["unit"]
 frame = pd.read_parquet(f"{folder}/r.parquet")
 other = pl.read_parquet(f"{folder}/r.parquet")
 assert list(frame.columns) == other.columns == ["t"] + channels
@@ -43,4 +49,4 @@ assert rate == again == round(1 / np.diff(truth["t"]).mean())
 for i, channel in enumerate(channels):
     near("r.wav", channel, sound[:, i], 6e-8)
     near("r.wav", channel, other[:, i], 6e-8)
-print(f"{len(channels)} channels, {len(truth)} samples: pyuff, SciPy, pandas, polars and soundfile read what was written")
+print(f"{len(channels)} channels, {len(truth)} samples: pyuff, SciPy, h5py, pandas, polars and soundfile read what was written")

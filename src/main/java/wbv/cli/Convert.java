@@ -50,7 +50,7 @@ final class Convert implements Callable<Integer> {
     private RecordingOptions recording;
 
     @Option(names = "--out", paramLabel = "FILE", required = true,
-            description = "name of the new file, ending in .csv, .csv.gz, .arff, .uff (58b, binary), .unv (58, text), .mat, .parquet "
+            description = "name of the new file, ending in .csv, .csv.gz, .arff, .uff (58b, binary), .unv (58, text), .mat, .h5, .parquet "
                     + "or .wav; '-' writes CSV to standard output")
     private Path out;
 

@@ -1,23 +1,36 @@
 package wbv.recording.signals;
 
 import io.jhdf.HdfFile;
+import io.jhdf.WritableHdfFile;
 import io.jhdf.api.Attribute;
 import io.jhdf.api.Dataset;
 import io.jhdf.api.Group;
 import io.jhdf.api.Node;
+import io.jhdf.api.WritableDataset;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.reflect.Array;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
 /**
  * HDF5, by jHDF: datasets of one or two dimensions are signals, named by their path; an attribute {@code unit} or {@code units} is their
- * unit. MATLAB's version 7.3 is HDF5 whose matrices lie on their side.
+ * unit. MATLAB's version 7.3 is HDF5 whose matrices lie on their side. Written are a dataset {@code t} and one for each channel, in double
+ * precision, uncompressed, each with its unit; an attribute {@code order} of the whole has their names as they stood, since a group of HDF5
+ * has no order.
  */
 final class HdfSignals {
 
     private static final String MATLAB = "MATLAB_class";
+    private static final String ORDER = "order";
 
     private HdfSignals() {}
 
@@ -35,7 +48,7 @@ final class HdfSignals {
     }
 
     private static void add(MatrixColumns columns, Group group, String prefix, boolean matlab) {
-        for (Node node : group.getChildren().values()) {
+        for (Node node : ordered(group)) {
             String name = prefix + node.getName();
             if (node instanceof Group inner) {
                 if (!node.getName().startsWith("#")) { // MATLAB's own
@@ -45,6 +58,15 @@ final class HdfSignals {
                 add(columns, dataset, name, matlab);
             }
         }
+    }
+
+    /** What a group holds, first what its order names. */
+    private static List<Node> ordered(Group group) {
+        Attribute stated = group.getAttributes().get(ORDER);
+        List<String> names = stated != null && stated.getData() instanceof String[] known ? List.of(known) : List.of();
+        List<Node> nodes = new ArrayList<>(group.getChildren().values());
+        nodes.sort(Comparator.comparingInt(node -> names.contains(node.getName()) ? names.indexOf(node.getName()) : names.size()));
+        return nodes;
     }
 
     private static void add(MatrixColumns columns, Dataset dataset, String name, boolean matlab) {
@@ -80,6 +102,31 @@ final class HdfSignals {
     /** Rows after one another read as columns after one another. */
     private static IntToDoubleFunction turned(IntToDoubleFunction values, int rows, int columns) {
         return columns == 1 ? values : i -> values.applyAsDouble(i % rows * columns + i / rows);
+    }
+
+    /** jHDF writes where it can go back, which a stream cannot: so to a file beside all others, and from there. */
+    static void write(SampledColumns columns, OutputStream out) throws IOException {
+        Path file = Files.createTempFile("wbv", ".h5");
+        try {
+            try (WritableHdfFile hdf = HdfFile.write(file)) {
+                put(hdf, "t", IntStream.range(0, columns.length()).mapToDouble(columns::time).toArray(), "s");
+                for (int i = 0; i < columns.channels().size(); i++) {
+                    int number = i;
+                    Channel channel = columns.channels().get(i);
+                    put(hdf, channel.toString(), IntStream.range(0, columns.length()).mapToDouble(j -> columns.value(number, j)).toArray(),
+                            channel.quantity().unit());
+                }
+                hdf.putAttribute(ORDER, columns.channels().stream().map(Channel::toString).toArray(String[]::new));
+            }
+            Files.copy(file, out);
+        } finally {
+            Files.delete(file);
+        }
+    }
+
+    private static void put(WritableHdfFile hdf, String name, double[] values, String unit) {
+        WritableDataset dataset = hdf.putDataset(name, values);
+        dataset.putAttribute("unit", unit);
     }
 
     private static Optional<String> text(Node node, String name) {

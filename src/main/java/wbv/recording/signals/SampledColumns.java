@@ -104,7 +104,7 @@ public final class SampledColumns {
         for (int i = 0; i < length; i++) {
             if (!(step > 0) || Math.abs(time(i) - time(0) - i * step) > EVEN * step) {
                 throw DataFault.in(file, "has a rate and no times, and these times are not even (row " + (i + 1)
-                        + "); leave out --as-is, or write .mat, .parquet or .csv");
+                        + "); leave out --as-is, or write .mat, .h5, .parquet or .csv");
             }
         }
         double rate = 1 / step;

@@ -63,8 +63,8 @@ public enum SignalKind {
             MatFile.write(columns, out);
         }
     },
-    /** HDF5 and MATLAB's version 7.3. Not written. */
-    HDF5("") {
+    /** HDF5 and MATLAB's version 7.3. Written as plain HDF5. */
+    HDF5(".h5") {
         @Override
         boolean recognises(String head) {
             return head.startsWith(SIGNATURE) || head.startsWith("MATLAB 7.3") || head.startsWith(SIGNATURE, 512);
@@ -76,8 +76,8 @@ public enum SignalKind {
         }
 
         @Override
-        void write(SampledColumns columns, OutputStream out) {
-            throw new UnsupportedOperationException("HDF5 is not written");
+        void write(SampledColumns columns, OutputStream out) throws IOException {
+            HdfSignals.write(columns, out);
         }
     },
     /** Apache Parquet: a table whose columns stand by themselves, read a group of rows at a time. */
@@ -142,7 +142,7 @@ public enum SignalKind {
     /** The kind that is written under a file's name, by its end. */
     public static Optional<SignalKind> named(Path file) {
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return Arrays.stream(values()).filter(kind -> !kind.suffix.isEmpty() && name.endsWith(kind.suffix)).findFirst();
+        return Arrays.stream(values()).filter(kind -> name.endsWith(kind.suffix)).findFirst();
     }
 
     abstract boolean recognises(String head);

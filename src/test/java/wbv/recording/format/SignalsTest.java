@@ -230,7 +230,7 @@ class SignalsTest {
 
     /** A sixth digit of the increment is all that a universal file's text has for the rate. */
     @ParameterizedTest
-    @CsvSource({"r.mat, 0, 0", "r.uff, 0, 3e-7", "r.unv, 1e-12, 3e-7", "r.wav, 6e-8, 0"})
+    @CsvSource({"r.mat, 0, 0", "r.h5, 0, 0", "r.uff, 0, 3e-7", "r.unv, 1e-12, 3e-7", "r.wav, 6e-8, 0"})
     void writtenFilesReadBackToTheirResolution(String name, double relative, double rate) throws IOException {
         double hertz = 59.9765;
         try (RowReader reader = open(written(name, hertz), "")) {
