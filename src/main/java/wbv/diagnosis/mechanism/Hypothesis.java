@@ -292,6 +292,11 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         return additions.stream().anyMatch(a -> a instanceof Addition.InLink);
     }
 
+    /** Whether it answers some time after what it answers to. */
+    public boolean isLate() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && in.law().lateness() > 0);
+    }
+
     /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
     public boolean overturns() {
         return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying

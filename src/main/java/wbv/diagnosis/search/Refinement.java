@@ -122,6 +122,14 @@ public final class Refinement {
         });
     }
 
+    /**
+     * How many starts of a hypothesis are begun. Between two delays at which a force agrees with what is missing lies one at which it opposes
+     * it, which no step passes; nor does one along a driven link pass from friction of one kind to another.
+     */
+    private int begun(Hypothesis hypothesis) {
+        return hypothesis.isLate() || evidence.model().driven() ? Integer.MAX_VALUE : 1;
+    }
+
     /** The first steps of each, least cost first. */
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
             Function<Hypothesis, List<double[]>> from) {
@@ -129,7 +137,7 @@ public final class Refinement {
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
-                    : Trial.begun(ground, score, from.apply(score.hypothesis()), evidence.model().driven() ? Integer.MAX_VALUE : 1);
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()));
         }));
         out.sort(LEAST);
         return out;
