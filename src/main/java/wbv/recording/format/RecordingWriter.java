@@ -102,8 +102,8 @@ public final class RecordingWriter implements Closeable {
 
     /**
      * Begins a file in the format that its name ends in: {@code .arff}, {@code .csv}, {@code .csv.gz}, {@code .arff.gz}, which are written
-     * row by row, or {@code .uff} (binary), {@code .unv} (text), {@code .mat}, {@code .h5}, {@code .parquet}, {@code .wav}, which are held in
-     * memory until the end.
+     * row by row, or {@code .uff} (binary), {@code .unv} (text), {@code .mat}, {@code .h5}, {@code .parquet}, {@code .wav}, which are held
+     * in memory until the end.
      *
      * @param metadata stands in comment lines before the header of a table
      * @throws DataFault if the name ends otherwise, or the folder is missing or may not be written to
