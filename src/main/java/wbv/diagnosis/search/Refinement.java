@@ -95,7 +95,7 @@ public final class Refinement {
     private List<Screening.Score> chosen(Fitter.State base, List<Screening.Score> scores, boolean second) {
         Set<String> links = scores.stream().filter(score -> score.hypothesis().runsFree()).map(score -> score.hypothesis().where())
                 .collect(Collectors.toSet());
-        return choose(scores, second, links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base)));
+        return choose(scores, second, links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base)), bent(base));
     }
 
     /** Numbers of the model to start from. */
@@ -211,9 +211,12 @@ public final class Refinement {
 
     /**
      * The best linear hypotheses and the best laws, and those whose effect a first-order look may miss: such as every kind of law in the
-     * links that carry the mismatch, since a refit that went far turns the sign of what is seen to first order.
+     * links that carry the mismatch, since a refit that went far turns the sign of what is seen to first order: then every form of it too,
+     * for what acts one way only looks as if it acted the other.
+     *
+     * @param bent whether the refit went far
      */
-    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, Set<String> carrying) {
+    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, Set<String> carrying, boolean bent) {
         int mostLaws = second ? LAWS / 2 : LAWS;
         int mostLinear = second ? LINEAR / 2 : LINEAR;
         List<Screening.Score> chosen = new ArrayList<>();
@@ -223,7 +226,7 @@ public final class Refinement {
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
             boolean first = law && carrying.contains(score.hypothesis().where())
-                    && kinds.add(score.hypothesis().mechanism() + score.hypothesis().where());
+                    && (kinds.add(score.hypothesis().mechanism() + score.hypothesis().where()) || bent && !second);
             if (first || !second && (score.hypothesis().overturns() || score.hypothesis().kind().isAlwaysRefitted())
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
