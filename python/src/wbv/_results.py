@@ -44,7 +44,8 @@ class Result:
     def table(self, name: str) -> pd.DataFrame:
         """A CSV file among the results, such as ``tracks.csv``, every double exactly."""
         exact: dict[str, Any] = {} if int(pd.__version__.split(".")[0]) >= 3 else {"float_precision": "round_trip"}  # as pandas 3 reads by itself
-        return pd.read_csv(self.folder / name, comment="#", **exact)
+        frame: pd.DataFrame = pd.read_csv(self.folder / name, comment="#", **exact)
+        return frame
 
     def __repr__(self) -> str:
         return self.summary
