@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;
@@ -242,14 +243,27 @@ final class Grammar {
     /** Other forms of a term: a part of its modulator, or that only so far. */
     List<Hypothesis> variants(Hypothesis term) {
         List<Hypothesis> out = new ArrayList<>(limited(term).stream().toList());
-        if (term.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof LearnedTerm law
-                && !(law.modulator() instanceof Modulator.None || law.modulator() instanceof Modulator.Ride)) {
-            Modulator whole = law.modulator() instanceof Modulator.PartOf part ? part.whole() : law.modulator();
-            for (Modulator.Part part : List.of(Modulator.Part.POSITIVE, Modulator.Part.NEGATIVE)) {
-                out.add(term(law.shape(), new Modulator.PartOf(part, whole), size(whole)));
-            }
+        if (law(term) instanceof LearnedTerm) {
+            out.addAll(halves(term));
         }
         return out;
+    }
+
+    /** The term while its modulator is positive, and while that is negative; none where it has no modulator that can be both. */
+    List<Hypothesis> halves(Hypothesis term) {
+        Learned law = law(term);
+        boolean product = law instanceof LearnedTerm || law instanceof LearnedLimited;
+        if (!product || law.modulator() instanceof Modulator.None || law.modulator() instanceof Modulator.Ride) {
+            return List.of();
+        }
+        Shape shape = law instanceof LearnedLimited limited ? limited.shape() : ((LearnedTerm) law).shape();
+        Modulator whole = law.modulator() instanceof Modulator.PartOf part ? part.whole() : law.modulator();
+        return Stream.of(Modulator.Part.POSITIVE, Modulator.Part.NEGATIVE)
+                .map(part -> term(shape, new Modulator.PartOf(part, whole), size(whole))).toList();
+    }
+
+    private static Learned law(Hypothesis term) {
+        return (Learned) ((Hypothesis.Addition.InLink) term.additions().get(0)).law();
     }
 
     /** A term with a modulator as it is where that has a limit, to begin with at twice its root mean square; empty for any other. */

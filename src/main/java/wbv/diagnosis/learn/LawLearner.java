@@ -3,7 +3,9 @@ package wbv.diagnosis.learn;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -42,6 +44,9 @@ public final class LawLearner {
     private static final int FITTED = 6;
     private static final int POLISHED = 3;
     private static final int STEPS = 3;
+    /** Products of which each half is begun: of four laws of which another place's load made a half, the right product stood among the
+     * first fifteen. */
+    private static final int HALVED = 16;
     private static final int MORE_STEPS = 10;
     /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
     private static final int LINEAR_STEPS = 20;
@@ -259,24 +264,48 @@ public final class LawLearner {
         // What does not pay for its choice and its numbers to first order is not begun.
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
+        if (likely.isEmpty()) {
+            sentences.likely().forEach(term -> likely.add(term.form()));
+        }
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
-        List<Sentence> begun = weighed(
-                Parallel.map(proposals, proposal -> begun(scored, sentences, proposal)).stream().filter(state -> !state.failed())
-                        .map(state -> begun(state, terms.size())).toList());
-        if (likely.isEmpty()) {
-            likely.addAll(sentences.likely());
+        List<Fitter.State> finalists = new ArrayList<>(
+                first(Parallel.map(proposals, proposal -> begun(scored, sentences, proposal, STEPS)), terms.size()));
+        if (on.equals(base.candidate()) && Refinement.bent(base)) {
+            finalists.addAll(
+                    first(Parallel.map(halves(sentences, grammar), half -> begun(scored, sentences, half, MORE_STEPS)), terms.size()));
         }
-        return Parallel.map(begun.stream().limit(POLISHED).map(Sentence::fit).toList(), this::settled).stream()
-                .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
+        return Parallel.map(finalists, this::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
+                .toList();
+    }
+
+    /** The most evident of some fits that were begun. */
+    private List<Fitter.State> first(List<Fitter.State> states, int of) {
+        return weighed(states.stream().filter(state -> !state.failed()).map(state -> begun(state, of)).toList()).stream().limit(POLISHED)
+                .map(Sentence::fit).toList();
+    }
+
+    /**
+     * Terms that work while their modulator is positive, or while it is negative. Which half it is does not show to first order beside a
+     * model that went far to make up for the law, so both are begun.
+     */
+    private static List<Sentences.Proposal> halves(Sentences sentences, Grammar grammar) {
+        Map<String, Hypothesis> halves = new LinkedHashMap<>();
+        for (Hypothesis term : sentences.likely()) {
+            if (halves.size() < 2 * HALVED) {
+                grammar.halves(term).forEach(half -> halves.putIfAbsent(half.form(), half));
+            }
+        }
+        return halves.values().stream().flatMap(half -> sentences.of(List.of(half), 1, other -> List.of()).stream()).toList();
     }
 
     /**
      * The first steps from what is proposed; from less of it where that much is not stable.
      *
      * @param scored what the law is to stand on, with derivatives
+     * @param steps of a law that is not linear
      */
-    private Fitter.State begun(Fitter.State scored, Sentences sentences, Sentences.Proposal proposal) {
+    private Fitter.State begun(Fitter.State scored, Sentences sentences, Sentences.Proposal proposal, int steps) {
         Fitter fitter = search.fitter();
         Candidate with = scored.candidate();
         for (Hypothesis term : proposal.terms()) {
@@ -293,7 +322,7 @@ public final class LawLearner {
             }
             state = fitter.look(with, x, base.frame());
         }
-        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? steps : LINEAR_STEPS, 1e-3);
     }
 
     /** Fitted on, in the whitening of its own model. */

@@ -37,7 +37,7 @@ final class Sentences {
     private final Screening screening;
     private final List<Screening.Rest> linear;
     private final int link;
-    private final List<String> likely = new ArrayList<>();
+    private final List<Hypothesis> likely = new ArrayList<>();
 
     /**
      * @param state where terms are scored, with its derivatives
@@ -90,7 +90,7 @@ final class Sentences {
                 .forEach(starts -> {
                     firsts.add(starts.get(0));
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
-                    likely.add(starts.get(0).term().form());
+                    likely.add(starts.get(0).term());
                 });
         List<Proposal> out = new ArrayList<>();
         for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
@@ -111,8 +111,8 @@ final class Sentences {
         return out.stream().filter(proposal -> kinds.add(proposal.kind())).toList();
     }
 
-    /** Forms of the terms that gain anything worth mentioning, most first, of those last asked for. */
-    List<String> likely() {
+    /** Terms that gain anything worth mentioning, most first, of those last asked for. */
+    List<Hypothesis> likely() {
         return List.copyOf(likely);
     }
 

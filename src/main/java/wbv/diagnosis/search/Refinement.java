@@ -105,7 +105,7 @@ public final class Refinement {
     }
 
     /** Whether a fit went far to make up for what is missing: then it is a bad place to start from. */
-    static boolean bent(Fitter.State base) {
+    public static boolean bent(Fitter.State base) {
         return IntStream.range(0, base.x().length)
                 .anyMatch(i -> base.candidate().knobs().get(i).unit() == 0 && base.candidate().knobs().get(i).deviation() > 1
                         && Math.abs(base.x()[i]) > DISTORTED);
