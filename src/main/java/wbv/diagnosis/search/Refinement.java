@@ -123,8 +123,8 @@ public final class Refinement {
     }
 
     /**
-     * How many starts of a hypothesis are begun. Between two delays at which a force agrees with what is missing lies one at which it opposes
-     * it, which no step passes; nor does one along a driven link pass from friction of one kind to another.
+     * How many starts of a hypothesis are begun. Between two delays at which a force agrees with what is missing lies one at which it
+     * opposes it, which no step passes; nor does one along a driven link pass from friction of one kind to another.
      */
     private int begun(Hypothesis hypothesis) {
         return hypothesis.isLate() || evidence.model().driven() ? Integer.MAX_VALUE : 1;
