@@ -45,7 +45,7 @@ public final class LawLearner {
     private static final int POLISHED = 3;
     private static final int STEPS = 3;
     private static final int MORE_STEPS = 10;
-    /** Products of which each half is begun: of four laws that half of another place's load made the right one was the fifteenth or better. */
+    /** Products of which each half is begun: of four laws made by half of another place's load the right one came fifteenth or earlier. */
     private static final int HALVED = 16;
     /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
     private static final int LINEAR_STEPS = 20;
