@@ -268,8 +268,7 @@ final class Grammar {
 
     /** A term with a modulator as it is where that has a limit, to begin with at twice its root mean square; empty for any other. */
     Optional<Hypothesis> limited(Hypothesis term) {
-        if (!(term.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof LearnedTerm law)
-                || law.modulator() instanceof Modulator.None) {
+        if (!(law(term) instanceof LearnedTerm law) || law.modulator() instanceof Modulator.None) {
             return Optional.empty();
         }
         double size = size(law.modulator());

@@ -6,7 +6,6 @@ import io.jhdf.api.Attribute;
 import io.jhdf.api.Dataset;
 import io.jhdf.api.Group;
 import io.jhdf.api.Node;
-import io.jhdf.api.WritableDataset;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.reflect.Array;
@@ -109,12 +108,11 @@ final class HdfSignals {
         Path file = Files.createTempFile("wbv", ".h5");
         try {
             try (WritableHdfFile hdf = HdfFile.write(file)) {
-                put(hdf, "t", IntStream.range(0, columns.length()).mapToDouble(columns::time).toArray(), "s");
+                put(hdf, "t", columns.length(), columns::time, "s");
                 for (int i = 0; i < columns.channels().size(); i++) {
                     int number = i;
                     Channel channel = columns.channels().get(i);
-                    put(hdf, channel.toString(), IntStream.range(0, columns.length()).mapToDouble(j -> columns.value(number, j)).toArray(),
-                            channel.quantity().unit());
+                    put(hdf, channel.toString(), columns.length(), j -> columns.value(number, j), channel.quantity().unit());
                 }
                 hdf.putAttribute(ORDER, columns.channels().stream().map(Channel::toString).toArray(String[]::new));
             }
@@ -124,9 +122,8 @@ final class HdfSignals {
         }
     }
 
-    private static void put(WritableHdfFile hdf, String name, double[] values, String unit) {
-        WritableDataset dataset = hdf.putDataset(name, values);
-        dataset.putAttribute("unit", unit);
+    private static void put(WritableHdfFile hdf, String name, int length, IntToDoubleFunction values, String unit) {
+        hdf.putDataset(name, IntStream.range(0, length).mapToDouble(values).toArray()).putAttribute("unit", unit);
     }
 
     private static Optional<String> text(Node node, String name) {
