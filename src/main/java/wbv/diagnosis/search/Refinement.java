@@ -111,14 +111,19 @@ public final class Refinement {
                         && Math.abs(base.x()[i]) > DISTORTED);
     }
 
-    /** A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be. */
+    /**
+     * A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be, as where the model with
+     * other numbers explains the part: what goes by the clock is not in it, and anything that comes with free numbers would explain it.
+     */
     private Optional<Trial.Ground> brief(Fitter.State base) {
         if (base.reduced() < PLAIN_IN_PART || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
             return Optional.empty();
         }
-        return evidence.brief().map(part -> {
+        return evidence.brief().flatMap(part -> {
             Fitter own = new Fitter(part);
-            return Trial.Ground.of(own, own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit())));
+            Fitter.State there = own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit()));
+            return own.fit(base.candidate(), base.x(), there, BEGINNING, 1e-3).reduced() < PLAIN_IN_PART ? Optional.empty()
+                    : Optional.of(Trial.Ground.of(own, there));
         });
     }
 
