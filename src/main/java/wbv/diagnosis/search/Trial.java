@@ -19,7 +19,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
 
     private static final int FIRST_STEPS = 1;
     private static final int FIRST_LINEAR_STEPS = 2;
-    private static final int OWN_LINEAR_STEPS = 4;
+    /** From numbers that were not fitted on these data a fit has farther to go, and what a few steps leave tells nothing yet. */
+    private static final int OWN_LINEAR_STEPS = 12;
     private static final int MORE_LINEAR_STEPS = 8;
     private static final int OVERTURNING_STEPS = 25;
     private static final int MOST_STARTS = 9;
