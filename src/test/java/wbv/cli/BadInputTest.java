@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Bad input gets one clear line and exit code 1, and leaves nothing behind. */
 class BadInputTest {
@@ -104,6 +106,25 @@ class BadInputTest {
         Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--out", locked.resolve("out").toString());
         assertEquals(1, run.code());
         assertTrue(run.err().contains("permission"), run.err());
+    }
+
+    /** As a disk does that is full: no file may grow longer than that. */
+    @ParameterizedTest
+    @ValueSource(strings = {"full.csv", "full.h5", "full.parquet"})
+    void whatIsCutOffWhileItIsWrittenIsToldAndNotLeft(String name) throws Exception {
+        Path shell = Path.of("/bin/sh");
+        Assumptions.assumeTrue(Files.isExecutable(shell), "there is no " + shell);
+        Process process = new ProcessBuilder(shell.toString(), "-c", "ulimit -f 64 && exec \"$@\"", "sh",
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xshare:auto", "-cp",
+                System.getProperty("java.class.path"), Main.class.getName(), "convert", "data/arff/one-dof-linear.arff", "--out",
+                folder.resolve(name).toString()).start();
+        String told = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(1, process.waitFor(), told);
+        assertTrue(told.startsWith("wbv: ") && told.contains(name + ": cannot be written"), told);
+        assertEquals(1, told.lines().count(), told);
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(0, left.count());
+        }
     }
 
     @Test

@@ -6,6 +6,7 @@ import io.jhdf.api.Attribute;
 import io.jhdf.api.Dataset;
 import io.jhdf.api.Group;
 import io.jhdf.api.Node;
+import io.jhdf.exceptions.HdfWritingException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.reflect.Array;
@@ -115,6 +116,8 @@ final class HdfSignals {
                     put(hdf, channel.toString(), columns.length(), j -> columns.value(number, j), channel.quantity().unit());
                 }
                 hdf.putAttribute(ORDER, columns.channels().stream().map(Channel::toString).toArray(String[]::new));
+            } catch (HdfWritingException failed) { // as by a disk that is full: jHDF says so when it is closed, in a way of its own
+                throw failed.getCause() instanceof IOException why ? why : new IOException(failed.getMessage(), failed);
             }
             Files.copy(file, out);
         } finally {
