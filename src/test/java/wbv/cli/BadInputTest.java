@@ -120,7 +120,7 @@ class BadInputTest {
                 folder.resolve(name).toString()).start();
         String told = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(1, process.waitFor(), told);
-        assertTrue(told.startsWith("wbv: ") && told.contains(name + ": cannot be written"), told);
+        assertTrue(told.startsWith("wbv: ") && told.contains("cannot be written: "), told);
         assertEquals(1, told.lines().count(), told);
         try (Stream<Path> left = Files.list(folder)) {
             assertEquals(0, left.count());

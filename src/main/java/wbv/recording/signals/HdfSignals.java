@@ -10,6 +10,7 @@ import io.jhdf.exceptions.HdfWritingException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.reflect.Array;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -117,7 +118,9 @@ final class HdfSignals {
                 }
                 hdf.putAttribute(ORDER, columns.channels().stream().map(Channel::toString).toArray(String[]::new));
             } catch (HdfWritingException failed) { // as by a disk that is full: jHDF says so when it is closed, in a way of its own
-                throw failed.getCause() instanceof IOException why ? why : new IOException(failed.getMessage(), failed);
+                String why = failed.getCause() instanceof IOException system ? system.getMessage() : failed.getMessage();
+                throw new FileSystemException(file.getParent().toString(), null,
+                        "HDF5 is made here before it goes to its place, and cannot be written: " + why);
             }
             Files.copy(file, out);
         } finally {
