@@ -15,6 +15,9 @@ final class LawSlopes {
     private static final double DISPLACEMENT = 1e-9;
     private static final double VELOCITY = 1e-8;
     private static final double RELATIVE = 1e-6;
+    /** Below these a number counts as this large, in its own unit: a step in proportion to nothing would be none. */
+    private static final double LEAST = 1e-3;
+    private static final double LEAST_MEMORY = 1e-6;
 
     /** The law whose slopes these are. */
     final Law law;
@@ -77,7 +80,7 @@ final class LawSlopes {
         lower = new Law[parameters];
         difference = new double[parameters];
         for (int i = 0; i < parameters; i++) {
-            double h = RELATIVE * Math.max(Math.abs(values[i]), 1e-3);
+            double h = RELATIVE * Math.max(Math.abs(values[i]), LEAST);
             double kept = values[i];
             difference[i] = 2 * h;
             values[i] = kept + h;
@@ -112,7 +115,7 @@ final class LawSlopes {
      */
     double[] startSlopes(double start) {
         double[] out = new double[OWN + parameters];
-        double h = RELATIVE * Math.max(Math.abs(start), 1e-3);
+        double h = RELATIVE * Math.max(Math.abs(start), LEAST);
         out[0] = (law.memoryOf(start + h) - law.memoryOf(start - h)) / (2 * h);
         for (int i = 0; i < parameters; i++) {
             out[OWN + i] = (higher[i].memoryOf(start) - lower[i].memoryOf(start)) / span(i);
@@ -131,74 +134,23 @@ final class LawSlopes {
      * @param past for the late motion
      */
     void take(LinkMotion m, Past past, int slot, int index) {
-        double r = m.displacement;
-        m.displacement = r + DISPLACEMENT;
-        double f = law.force(m);
-        double z = memoryOf(m);
-        m.displacement = r - DISPLACEMENT;
-        set(DISPLACEMENT_NOW, f, z, m, 2 * DISPLACEMENT);
-        m.displacement = r;
-        double v = m.velocity;
-        m.velocity = v + VELOCITY;
-        f = law.force(m);
-        z = memoryOf(m);
-        m.velocity = v - VELOCITY;
-        set(VELOCITY_NOW, f, z, m, 2 * VELOCITY);
-        m.velocity = v;
-        double hk = RELATIVE * Math.max(m.stiffness, 1e-3);
-        double k = m.stiffness;
-        m.stiffness = k + hk;
-        f = law.force(m);
-        z = memoryOf(m);
-        m.stiffness = k - hk;
-        set(STIFFNESS, f, z, m, 2 * hk);
-        m.stiffness = k;
-        double hc = RELATIVE * Math.max(m.damping, 1e-3);
-        double c = m.damping;
-        m.damping = c + hc;
-        f = law.force(m);
-        z = memoryOf(m);
-        m.damping = c - hc;
-        set(DAMPING, f, z, m, 2 * hc);
-        m.damping = c;
+        take(DISPLACEMENT_NOW, m, DISPLACEMENT);
+        take(VELOCITY_NOW, m, VELOCITY);
+        take(STIFFNESS, m, RELATIVE * Math.max(m.stiffness, LEAST));
+        take(DAMPING, m, RELATIVE * Math.max(m.damping, LEAST));
         if (remembers) {
-            double before = m.before;
-            m.before = before + DISPLACEMENT;
-            f = law.force(m);
-            z = memoryOf(m);
-            m.before = before - DISPLACEMENT;
-            set(DISPLACEMENT_BEFORE, f, z, m, 2 * DISPLACEMENT);
-            m.before = before;
-            double kept = m.memory;
-            double h = RELATIVE * Math.max(Math.abs(kept), 1e-6);
-            m.memory = kept + h;
-            f = law.force(m);
-            z = memoryOf(m);
-            m.memory = kept - h;
-            set(MEMORY_BEFORE, f, z, m, 2 * h);
-            m.memory = kept;
+            take(DISPLACEMENT_BEFORE, m, DISPLACEMENT);
+            take(MEMORY_BEFORE, m, RELATIVE * Math.max(Math.abs(m.memory), LEAST_MEMORY));
         }
-        if (late()) {
-            double late = m.lateDisplacement;
-            m.lateDisplacement = late + DISPLACEMENT;
-            f = law.force(m);
-            z = memoryOf(m);
-            m.lateDisplacement = late - DISPLACEMENT;
-            set(LATE_DISPLACEMENT, f, z, m, 2 * DISPLACEMENT);
-            m.lateDisplacement = late;
-            late = m.lateVelocity;
-            m.lateVelocity = late + VELOCITY;
-            f = law.force(m);
-            z = memoryOf(m);
-            m.lateVelocity = late - VELOCITY;
-            set(LATE_VELOCITY, f, z, m, 2 * VELOCITY);
-            m.lateVelocity = late;
+        if (late) {
+            take(LATE_DISPLACEMENT, m, DISPLACEMENT);
+            take(LATE_VELOCITY, m, VELOCITY);
         }
         for (int i = 0; i < parameters; i++) {
             double span = span(i);
-            double late = m.lateDisplacement;
-            double lateRate = m.lateVelocity;
-            boolean later = late() && higher[i].lateness() != lower[i].lateness();
+            double lateDisplacement = m.lateDisplacement;
+            double lateVelocity = m.lateVelocity;
+            boolean later = late && higher[i].lateness() != lower[i].lateness();
             if (later) {
                 past.recall(m, slot, index, higher[i].lateness());
             }
@@ -209,17 +161,53 @@ final class LawSlopes {
             }
             force[OWN + i] = (high - lower[i].force(m)) / span;
             memory[OWN + i] = remembers ? (highMemory - lower[i].remember(m)) / span : 0;
-            m.lateDisplacement = late;
-            m.lateVelocity = lateRate;
+            m.lateDisplacement = lateDisplacement;
+            m.lateVelocity = lateVelocity;
         }
+    }
+
+    /** @param step to either side */
+    private void take(int slope, LinkMotion m, double step) {
+        double at = of(m, slope);
+        set(m, slope, at + step);
+        double high = law.force(m);
+        double highMemory = memoryOf(m);
+        set(m, slope, at - step);
+        force[slope] = (high - law.force(m)) / (2 * step);
+        memory[slope] = remembers ? (highMemory - law.remember(m)) / (2 * step) : 0;
+        set(m, slope, at);
     }
 
     private double memoryOf(LinkMotion m) {
         return remembers ? law.remember(m) : 0;
     }
 
-    private void set(int slope, double highForce, double highMemory, LinkMotion m, double span) {
-        force[slope] = (highForce - law.force(m)) / span;
-        memory[slope] = remembers ? (highMemory - law.remember(m)) / span : 0;
+    /** What a slope goes by. */
+    private static double of(LinkMotion m, int slope) {
+        return switch (slope) {
+            case DISPLACEMENT_NOW -> m.displacement;
+            case VELOCITY_NOW -> m.velocity;
+            case DISPLACEMENT_BEFORE -> m.before;
+            case MEMORY_BEFORE -> m.memory;
+            case LATE_DISPLACEMENT -> m.lateDisplacement;
+            case LATE_VELOCITY -> m.lateVelocity;
+            case STIFFNESS -> m.stiffness;
+            case DAMPING -> m.damping;
+            default -> throw new IllegalArgumentException("no slope to a motion: " + slope);
+        };
+    }
+
+    private static void set(LinkMotion m, int slope, double value) {
+        switch (slope) {
+            case DISPLACEMENT_NOW -> m.displacement = value;
+            case VELOCITY_NOW -> m.velocity = value;
+            case DISPLACEMENT_BEFORE -> m.before = value;
+            case MEMORY_BEFORE -> m.memory = value;
+            case LATE_DISPLACEMENT -> m.lateDisplacement = value;
+            case LATE_VELOCITY -> m.lateVelocity = value;
+            case STIFFNESS -> m.stiffness = value;
+            case DAMPING -> m.damping = value;
+            default -> throw new IllegalArgumentException("no slope to a motion: " + slope);
+        }
     }
 }
