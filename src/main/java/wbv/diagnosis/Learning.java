@@ -4,8 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
+import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.search.Chosen;
@@ -75,19 +78,26 @@ final class Learning {
      */
     private Optional<Learnt> law(Fits fits, boolean refused) {
         progress.accept("learning the law", 0.8);
-        LawLearner learner = new LawLearner(evidence, search, fits.base(),
-                new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
-        List<LawLearner.Sentence> sentences = learner.sentences();
+        LawLearner learner = new LawLearner(evidence, search, fits.base(), places(fits, refused));
         Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
+        List<LawLearner.Sentence> sentences = learner.sentences(than.fit());
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
                 .map(law -> new Learnt(learner, sentences, law));
+    }
+
+    /** Where the mismatch may enter, likeliest first: where a name explains nearly all, no place but its own is asked. */
+    private List<Known.Ignoring> places(Fits fits, boolean refused) {
+        Locator locator = new Locator(evidence, fits.base().candidate());
+        Candidate named = fits.best().candidate();
+        return refused || !explainsNearlyAll(fits, fits.best()) ? locator.singles(fits.base().x())
+                : locator.among(named.added().stream().map(part -> Place.plain(part, named)).distinct().toList(), fits.base().x());
     }
 
     /** What a named law does beside the library's form of it, where that can be learned. */
     private Optional<Learnt> form(Fits fits) {
         progress.accept("learning the form", 0.85);
         LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
-        List<LawLearner.Sentence> sentences = learner.sentences();
+        List<LawLearner.Sentence> sentences = learner.sentences(fits.best());
         return learner.law(sentences, fits.chosen()).map(law -> new Learnt(learner, sentences, law));
     }
 

@@ -39,7 +39,7 @@ final class LearnRun {
             places.stream().limit(4).forEach(
                     place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
             start = System.nanoTime();
-            List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences();
+            List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences(base);
             System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9,
                     base.reduced(), search.refinement().heldOut(base));
             sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8)

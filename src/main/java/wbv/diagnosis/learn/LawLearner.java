@@ -29,6 +29,7 @@ import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.Trial;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
@@ -40,6 +41,8 @@ public final class LawLearner {
     /** Links that are tried, likeliest first, and how many times the excess of the likeliest place one of them may leave. */
     private static final int LINKS = 2;
     private static final double NEAR = 2;
+    /** How many times the excess of what is known without a law its first terms may leave for others to be sought beside them. */
+    private static final double HOPELESS = 10;
     /** Sentences that are begun by free run, and those of them that are fitted to the end. */
     private static final int FITTED = 6;
     private static final int POLISHED = 3;
@@ -127,16 +130,20 @@ public final class LawLearner {
                 .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
 
-    /** The laws that were fitted, most evident first. */
-    public List<Sentence> sentences() {
-        return sentences(isCorrection() ? MOST_CORRECTING : MOST_TERMS);
+    /**
+     * The laws that were fitted, most evident first.
+     *
+     * @param than what is known without them: a law that begins by leaving far more gets no further terms
+     */
+    public List<Sentence> sentences(Fitter.State than) {
+        return sentences(isCorrection() ? MOST_CORRECTING : MOST_TERMS, than);
     }
 
     /** @param most terms of each at most */
-    private List<Sentence> sentences(int most) {
+    private List<Sentence> sentences(int most, Fitter.State than) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            all.addAll(sentences(link, most));
+            all.addAll(sentences(link, most, than));
         }
         return weighed(all);
     }
@@ -172,7 +179,7 @@ public final class LawLearner {
                 .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(LINKS).toList();
     }
 
-    private List<Sentence> sentences(int link, int most) {
+    private List<Sentence> sentences(int link, int most, Fitter.State than) {
         likely.clear();
         List<Sentence> all = new ArrayList<>();
         List<Sentence> latest = fitted(base.candidate(), unbent(link), link, Math.min(2, most), term -> true);
@@ -180,7 +187,8 @@ public final class LawLearner {
         while (!latest.isEmpty()) {
             all.addAll(latest);
             Sentence best = weighed(all).get(0);
-            latest = best.terms().size() >= most || best.evidence() <= 0 ? List.of()
+            boolean hopeless = Refinement.excess(best.fit().reduced()) > HOPELESS * Refinement.excess(than.reduced());
+            latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless ? List.of()
                     : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form()));
             List<Sentence> both = new ArrayList<>(all);
             both.addAll(latest);
@@ -269,13 +277,29 @@ public final class LawLearner {
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> finalists = new ArrayList<>(
-                first(Parallel.map(proposals, proposal -> begun(scored, sentences, proposal, STEPS)), terms.size()));
-        if (on.equals(base.candidate()) && Refinement.bent(base)) {
-            finalists.addAll(
-                    first(Parallel.map(halves(sentences, grammar), half -> begun(scored, sentences, half, MORE_STEPS)), terms.size()));
+                first(Parallel.map(proposals, proposal -> begun(fitter, scored, sentences, proposal, STEPS)), terms.size()));
+        // Beside a name, with which the model need make up for nothing, the first order tells halves apart.
+        if (!isCorrection() && on.equals(base.candidate()) && Refinement.bent(base)) {
+            finalists.addAll(first(begunInPart(scored, sentences, halves(sentences, grammar)), terms.size()));
         }
         return Parallel.map(finalists, this::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
                 .toList();
+    }
+
+    /**
+     * Many laws begun on a part of the data that is shaken hard, where such a part tells, since ten steps of each on all of them take most
+     * of a diagnosis; as they stand on all of the data.
+     *
+     * @param scored on all of them
+     */
+    private List<Fitter.State> begunInPart(Fitter.State scored, Sentences sentences, List<Sentences.Proposal> proposals) {
+        Optional<Trial.Ground> part = proposals.isEmpty() ? Optional.empty() : search.refinement().brief(base);
+        Fitter fitter = part.map(Trial.Ground::fitter).orElse(search.fitter());
+        Fitter.State there = part.map(ground -> fitter.lookWithSlopes(scored.candidate(), scored.x(), ground.base().frame()))
+                .orElse(scored);
+        List<Fitter.State> begun = Parallel.map(proposals, proposal -> begun(fitter, there, sentences, proposal, MORE_STEPS));
+        return part.isEmpty() ? begun
+                : Parallel.map(begun, state -> search.fitter().look(state.candidate(), state.x(), scored.frame()));
     }
 
     /** The most evident of some fits that were begun. */
@@ -301,17 +325,16 @@ public final class LawLearner {
     /**
      * The first steps from what is proposed; from less of it where that much is not stable.
      *
-     * @param scored what the law is to stand on, with derivatives
+     * @param scored what the law is to stand on, as the fitter sees it, with derivatives
      * @param steps of a law that is not linear
      */
-    private Fitter.State begun(Fitter.State scored, Sentences sentences, Sentences.Proposal proposal, int steps) {
-        Fitter fitter = search.fitter();
+    private static Fitter.State begun(Fitter fitter, Fitter.State scored, Sentences sentences, Sentences.Proposal proposal, int steps) {
         Candidate with = scored.candidate();
         for (Hypothesis term : proposal.terms()) {
             with = with.with(term);
         }
         double[] x = sentences.start(proposal, with);
-        Fitter.State state = fitter.look(with, x, base.frame());
+        Fitter.State state = fitter.look(with, x, scored.frame());
         for (int half = 0; half < HALVINGS && state.failed(); half++) {
             for (Hypothesis term : proposal.terms()) {
                 int[] at = with.positions(term);
@@ -319,7 +342,7 @@ public final class LawLearner {
                     x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
                 }
             }
-            state = fitter.look(with, x, base.frame());
+            state = fitter.look(with, x, scored.frame());
         }
         return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? steps : LINEAR_STEPS, 1e-3);
     }
@@ -353,7 +376,7 @@ public final class LawLearner {
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     public boolean isOne(Fitter.State name) {
-        return law(sentences(1).stream().limit(1).toList(), Chosen.single(name)).isPresent();
+        return law(sentences(1, name).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
     /**

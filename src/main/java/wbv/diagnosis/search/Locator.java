@@ -59,6 +59,16 @@ public final class Locator {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
     }
 
+    /**
+     * Some places one by one, best first; none with a single output.
+     *
+     * @param places by their plain names
+     * @param x where fits start: coordinates [1], one a knob. Not modified.
+     */
+    public List<Known.Ignoring> among(List<Place> places, double[] x) {
+        return evidence.outputs().size() < 2 ? List.of() : found(places.stream().map(List::of).toList(), List.of(x, baseline.start()));
+    }
+
     private List<Known.Ignoring> oneByOne(double[] x) {
         List<double[]> starts = List.of(x, baseline.start());
         if (evidence.outputs().size() < 2) {

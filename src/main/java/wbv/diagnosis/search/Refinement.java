@@ -115,7 +115,7 @@ public final class Refinement {
      * A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be, as where the model with
      * other numbers explains the part: what goes by the clock is not in it, and anything that comes with free numbers would explain it.
      */
-    private Optional<Trial.Ground> brief(Fitter.State base) {
+    public Optional<Trial.Ground> brief(Fitter.State base) {
         if (base.reduced() < PLAIN_IN_PART || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
             return Optional.empty();
         }

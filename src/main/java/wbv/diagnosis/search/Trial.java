@@ -35,7 +35,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      * @param fitter for what lies near the base
      * @param base what they stand on, fitted on all data, with its derivatives if any are known
      */
-    record Ground(Fitter fitter, Fitter.State base) {
+    public record Ground(Fitter fitter, Fitter.State base) {
 
         static Ground of(Fitter fitter, Fitter.State base) {
             return new Ground(fitter.about(base), base);

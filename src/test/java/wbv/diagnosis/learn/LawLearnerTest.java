@@ -74,7 +74,7 @@ public class LawLearnerTest {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
-        List<LawLearner.Sentence> sentences = learner.sentences();
+        List<LawLearner.Sentence> sentences = learner.sentences(base);
         LawLearner.Sentence best = learner.law(sentences, Chosen.single(base)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         List<Learned> terms = best.fit().candidate().at(best.fit().x()).laws().stream().map(at -> (Learned) at.law()).toList();
@@ -128,7 +128,7 @@ public class LawLearnerTest {
         Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
         assertTrue(LawLearner.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
         LawLearner learner = new LawLearner(evidence, search, named, List.of());
-        LawLearner.Sentence best = learner.law(learner.sentences(), Chosen.single(named)).orElseThrow();
+        LawLearner.Sentence best = learner.law(learner.sentences(named), Chosen.single(named)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         assertEquals(1, best.terms().size(), found);
         List<LearnedKnee> knees = best.fit().candidate().at(best.fit().x()).laws().stream().map(LawAt::law)
