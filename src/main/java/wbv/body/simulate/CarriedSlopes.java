@@ -37,6 +37,8 @@ final class CarriedSlopes {
     private final double[][] earlier;
     private final double[][] right;
     private final double[][] memory;
+    /** Of what multiplies a law that goes by another link. */
+    private final double[][] modulation;
     private final double[][] matrix;
     private final double[][][] displacementPast;
     private final double[][][] velocityPast;
@@ -85,6 +87,7 @@ final class CarriedSlopes {
         earlier = new double[m][count];
         right = new double[m][count];
         memory = new double[m][count];
+        modulation = new double[m][count];
         matrix = new double[m][m];
         boolean late = IntStream.range(0, m).anyMatch(i -> laws[i].late());
         displacementPast = new double[m][count][late ? samples : 0];
@@ -156,6 +159,9 @@ final class CarriedSlopes {
         }
         for (int i = 0; i < m; i++) {
             read(i);
+            if (run.followed(i).follows()) {
+                follow(run.followed(i), modulation[i]);
+            }
             rightSide(i, j);
         }
         eliminate();
@@ -163,6 +169,9 @@ final class CarriedSlopes {
             for (int k = 0; k < m; k++) {
                 add(displacement[i], right[k], linear.give[i][k]);
                 add(rate[i], right[k], linear.giveVelocity[i][k]);
+                if (run.followed(i).follows()) {
+                    add(modulation[i], right[k], run.followed(i).slope() * run.followed(i).give[k]);
+                }
             }
             for (int p = 0; p < count; p++) {
                 slope[i][p][j + 1] = right[i][p];
@@ -262,6 +271,27 @@ final class CarriedSlopes {
         }
     }
 
+    /**
+     * What multiplies a law by the state, and by what the link that it goes by is itself.
+     *
+     * @param target Modified.
+     */
+    private void follow(FollowedLink other, double[] target) {
+        java.util.Arrays.fill(target, 0);
+        double slope = other.slope();
+        for (int k = 0; k < states; k++) {
+            double a = slope * other.read[k];
+            int at = k * count;
+            for (int p = 0; p < count; p++) {
+                target[p] += a * free[at + p];
+            }
+        }
+        if (ofStructure && other.isLoad()) {
+            target[other.link] += slope * other.displacement();
+            target[structure.links() + other.link] += slope * other.velocity();
+        }
+    }
+
     private static void add(double[] target, double[] source, double factor) {
         for (int i = 0; i < target.length; i++) {
             target[i] += factor * source[i];
@@ -279,6 +309,9 @@ final class CarriedSlopes {
             right[i][p] = r * displacement[i][p] + v * rate[i][p] + b * earlier[i][p] + z * memory[i][p];
         }
         direct(right[i], f, i);
+        if (run.followed(i).follows()) {
+            add(right[i], modulation[i], f[LawSlopes.MODULATION]);
+        }
         if (laws[i].late()) {
             for (int p = 0; p < count; p++) {
                 right[i][p] += f[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
@@ -306,6 +339,9 @@ final class CarriedSlopes {
                     + z[LawSlopes.DISPLACEMENT_BEFORE] * earlier[i][p] + z[LawSlopes.MEMORY_BEFORE] * kept[p];
         }
         direct(kept, z, i);
+        if (run.followed(i).follows()) {
+            add(kept, modulation[i], z[LawSlopes.MODULATION]);
+        }
         if (laws[i].late()) {
             for (int p = 0; p < count; p++) {
                 kept[p] += z[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
@@ -323,6 +359,9 @@ final class CarriedSlopes {
             for (int k = 0; k < m; k++) {
                 matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * linear.give[i][k]
                         - laws[i].force[LawSlopes.VELOCITY_NOW] * linear.giveVelocity[i][k];
+                if (run.followed(i).follows()) {
+                    matrix[i][k] -= laws[i].force[LawSlopes.MODULATION] * run.followed(i).slope() * run.followed(i).give[k];
+                }
             }
         }
         for (int c = 0; c < m; c++) {

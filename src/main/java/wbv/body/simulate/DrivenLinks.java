@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.SensorFault;
+import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.body.law.LawAt;
 import wbv.body.law.LinkMotion;
@@ -18,7 +19,7 @@ import wbv.recording.DataFault;
  * <p>A law with memory starts where the force measured at the first sample puts it, and again after every gap, since nobody
  * knows what was done to the link before.
  */
-final class DrivenLinks implements Modulations.Links {
+final class DrivenLinks implements ModulatorSeries.Links {
 
     private final Excitation excitation;
     private final Assembly assembly;
@@ -181,12 +182,17 @@ final class DrivenLinks implements Modulations.Links {
 
     @Override
     public double[] load(int link) {
-        return excitation.spectrum(total[link]);
+        return excitation.fineSeries(excitation.spectrum(total[link]));
     }
 
     @Override
-    public double[] deflection(int link) {
-        return excitation.spectrum(displacement);
+    public double[] displacement(int link) {
+        return excitation.fineSeries(excitation.spectrum(displacement));
+    }
+
+    @Override
+    public double[] velocity(int link) {
+        return excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), excitation.spectrum(displacement)));
     }
 
     private static void neverLate(LinkMotion motion, int law, int index, double ago) {

@@ -58,6 +58,8 @@ public final class FreeRun {
     private final double[] passing;
     /** By law, how its balance changed with its force when it was found last; NaN before. */
     private final double[] gradients;
+    /** By law: the other link by which it goes. */
+    private final FollowedLink[] followed;
 
     private double[][] displacement;
     private double[][] velocity;
@@ -78,7 +80,10 @@ public final class FreeRun {
         this(structure, laws, step, Sensitivities.all(sensitivities), new double[laws.size()][0]);
     }
 
-    /** @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it. Not modified. */
+    /**
+     * @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it, or another link does. Not
+     *                   modified.
+     */
     FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation) {
         this(structure, laws, step, sensitivities, modulation, 0, ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
@@ -118,7 +123,9 @@ public final class FreeRun {
         }
         this.slopes = ExactHold.of(structure.stateMatrix(omega), structure.inputMatrix(), step, da, db);
         int m = this.laws.length;
-        linear = new ModalStep(structure, basis, slopes[0], laws.stream().mapToInt(LawAt::link).toArray());
+        int[] links = laws.stream().mapToInt(LawAt::link).toArray();
+        linear = new ModalStep(structure, basis, slopes[0], links);
+        followed = laws.stream().map(at -> FollowedLink.of(at.law().modulator(), structure, linear, links)).toArray(FollowedLink[]::new);
         reached = new double[m];
         passing = new double[m];
         gradients = new double[m];
@@ -422,25 +429,34 @@ public final class FreeRun {
             double moved = 0;
             for (int i = 0; i < m; i++) {
                 double kept = now[i];
-                place(i, now);
-                now[i] = root(i, kept);
+                place(i, now, y);
+                now[i] = root(i, kept, followed[i].follows() ? followed[i].whole(y, now) : 0);
                 moved = Math.max(moved, Math.abs(now[i] - kept) / (1 + Math.abs(now[i])));
             }
             settled = moved < TOLERANCE;
         }
         for (int i = 0; i < m && m > 1; i++) {
-            place(i, now);
+            place(i, now, y);
+        }
+        for (FollowedLink link : followed) {
+            if (link.follows()) {
+                link.settle(y, now);
+            }
         }
     }
 
-    /** f = φ(r + g (f - f0), v + h (f - f0)) by secants from where it was found last, now and then a Newton step, kept within a bracket. */
-    private double root(int i, double start) {
+    /**
+     * f = φ(r + g (f - f0), v + h (f - f0)) by secants from where it was found last, now and then a Newton step, kept within a bracket.
+     * What another link does moves with f as well.
+     *
+     * @param whole what it goes by, with the forces so far
+     */
+    private double root(int i, double start, double whole) {
         LinkMotion motion = motions[i];
         Law law = laws[i].law;
-        double give = linear.give[i][i];
-        double giveVelocity = linear.giveVelocity[i][i];
-        double r = motion.displacement - give * start;
-        double v = motion.velocity - giveVelocity * start;
+        double r = motion.displacement - linear.give[i][i] * start;
+        double v = motion.velocity - linear.giveVelocity[i][i] * start;
+        double w = followed[i].follows() ? whole - followed[i].give[i] * start : 0;
         double f = start;
         double low = Double.NEGATIVE_INFINITY;
         double high = Double.POSITIVE_INFINITY;
@@ -454,8 +470,7 @@ public final class FreeRun {
             }
             if (k > 0 && k % FRESH == 0 || Double.isNaN(gradient)) {
                 double h = 1e-6 * (1 + Math.abs(f));
-                motion.displacement = r + give * (f + h);
-                motion.velocity = v + giveVelocity * (f + h);
+                move(i, r, v, w, f + h);
                 gradient = (f + h - law.force(motion) - excess) / h;
             }
             double next = gradient > LEAST_GRADIENT ? f - excess / gradient : f - excess;
@@ -463,8 +478,7 @@ public final class FreeRun {
             if (bracketed && !(next > low && next < high)) {
                 next = (low + high) / 2;
             }
-            motion.displacement = r + give * next;
-            motion.velocity = v + giveVelocity * next;
+            move(i, r, v, w, next);
             double there = next - law.force(motion);
             gradient = next == f ? gradient : (there - excess) / (next - f);
             f = next;
@@ -473,9 +487,25 @@ public final class FreeRun {
         gradients[i] = gradient;
         // What little is left goes by the slope, which costs no look at the law: over thousands of steps a memory would gather it.
         f -= gradient > LEAST_GRADIENT ? excess / gradient : 0;
-        motion.displacement = r + give * f;
-        motion.velocity = v + giveVelocity * f;
+        move(i, r, v, w, f);
         return f;
+    }
+
+    /**
+     * A law's motion where it has a force, and what another link does then.
+     *
+     * @param r displacement without the force [m]
+     * @param v velocity without it [m/s]
+     * @param w what the law goes by without it
+     */
+    private void move(int i, double r, double v, double w, double force) {
+        LinkMotion motion = motions[i];
+        FollowedLink other = followed[i];
+        motion.displacement = r + linear.give[i][i] * force;
+        motion.velocity = v + linear.giveVelocity[i][i] * force;
+        if (other.follows()) {
+            motion.modulation = other.value(w + other.give[i] * force);
+        }
     }
 
     /** What a law's motion is at the end of step j whatever its force. */
@@ -490,7 +520,7 @@ public final class FreeRun {
     }
 
     /** The motion of a law's link at the end of the step, given all law forces. */
-    private void place(int i, double[] now) {
+    private void place(int i, double[] now, double[] y) {
         double r = reached[i];
         double v = passing[i];
         for (int k = 0; k < now.length; k++) {
@@ -499,6 +529,9 @@ public final class FreeRun {
         }
         motions[i].displacement = r;
         motions[i].velocity = v;
+        if (followed[i].follows()) {
+            motions[i].modulation = followed[i].value(followed[i].whole(y, now));
+        }
     }
 
     /** Fills in the motion of law i some time before sample index; at rest before the start. At least one sample ago. */
@@ -514,6 +547,11 @@ public final class FreeRun {
     /** Not a copy. */
     LawSlopes[] laws() {
         return laws;
+    }
+
+    /** The link by which law i goes, as it was at the end of the last step. */
+    FollowedLink followed(int i) {
+        return followed[i];
     }
 
     /** Motion of law i's link at the end of the last step. Not a copy. */

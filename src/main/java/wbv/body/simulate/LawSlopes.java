@@ -18,6 +18,7 @@ final class LawSlopes {
     /** Below these a number counts as this large, in its own unit: a step in proportion to nothing would be none. */
     private static final double LEAST = 1e-3;
     private static final double LEAST_MEMORY = 1e-6;
+    private static final double LEAST_MODULATION = 1e-6;
 
     /** The law whose slopes these are. */
     final Law law;
@@ -27,11 +28,12 @@ final class LawSlopes {
     final int parameters;
     private final boolean late;
     private final boolean remembers;
+    private final boolean follows;
     private final Law[] higher;
     private final Law[] lower;
     private final double[] difference;
 
-    /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, own. */
+    /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, modulation, own. */
     final double[] force;
     /** Slopes of the memory, likewise. */
     final double[] memory;
@@ -52,8 +54,10 @@ final class LawSlopes {
     static final int STIFFNESS = 6;
     /** To the damping c of the link [m/s]. */
     static final int DAMPING = 7;
+    /** To what multiplies the law, per its unit; 0 for one that goes by no other link. */
+    static final int MODULATION = 8;
     /** First of the slopes to the law's own numbers, in their order. */
-    static final int OWN = 8;
+    static final int OWN = 9;
 
     /** Fills in the motion of a law some time before a sample. */
     interface Past {
@@ -73,6 +77,7 @@ final class LawSlopes {
         link = at.link();
         late = law.lateness() > 0;
         remembers = law.hasMemory();
+        follows = law.modulator().otherLink().isPresent();
         Record record = (Record) law;
         double[] values = Numbers.values(record);
         parameters = values.length;
@@ -142,6 +147,9 @@ final class LawSlopes {
             take(DISPLACEMENT_BEFORE, m, DISPLACEMENT);
             take(MEMORY_BEFORE, m, RELATIVE * Math.max(Math.abs(m.memory), LEAST_MEMORY));
         }
+        if (follows) {
+            take(MODULATION, m, RELATIVE * Math.max(Math.abs(m.modulation), LEAST_MODULATION));
+        }
         if (late) {
             take(LATE_DISPLACEMENT, m, DISPLACEMENT);
             take(LATE_VELOCITY, m, VELOCITY);
@@ -193,6 +201,7 @@ final class LawSlopes {
             case LATE_VELOCITY -> m.lateVelocity;
             case STIFFNESS -> m.stiffness;
             case DAMPING -> m.damping;
+            case MODULATION -> m.modulation;
             default -> throw new IllegalArgumentException("no slope to a motion: " + slope);
         };
     }
@@ -207,6 +216,7 @@ final class LawSlopes {
             case LATE_VELOCITY -> m.lateVelocity = value;
             case STIFFNESS -> m.stiffness = value;
             case DAMPING -> m.damping = value;
+            case MODULATION -> m.modulation = value;
             default -> throw new IllegalArgumentException("no slope to a motion: " + slope);
         }
     }

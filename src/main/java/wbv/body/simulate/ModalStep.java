@@ -43,6 +43,8 @@ final class ModalStep {
     private final double[] second;
     private final boolean paired;
     private final int[] bodies;
+    private final double[][] vectors;
+    private final double balance;
 
     /**
      * @param hold the step of the states themselves
@@ -75,19 +77,29 @@ final class ModalStep {
         own = Arrays.stream(links).mapToObj(link -> after[structure.linkInput(link)]).toArray(double[][]::new);
         push = Arrays.stream(links).mapToObj(link -> pushed(before[structure.linkInput(link)], after[structure.linkInput(link)]))
                 .toArray(double[][]::new);
-        double[][] vectors = columns(basis.vectors);
-        double balance = structure.balance();
-        stretch = Arrays.stream(links).mapToObj(link -> read(structure.stretch(link), vectors, 0, 1 / balance)).toArray(double[][]::new);
-        rate = Arrays.stream(links).mapToObj(link -> read(structure.stretch(link), vectors, structure.bodies(), 1))
-                .toArray(double[][]::new);
-        give = Arrays.stream(stretch).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray())
-                .toArray(double[][]::new);
-        giveVelocity = Arrays.stream(rate).map(row -> Arrays.stream(own).mapToDouble(column -> dot(row, column)).toArray())
-                .toArray(double[][]::new);
+        vectors = columns(basis.vectors);
+        balance = structure.balance();
+        stretch = Arrays.stream(links).mapToObj(link -> reads(structure.stretch(link), 1, 0)).toArray(double[][]::new);
+        rate = Arrays.stream(links).mapToObj(link -> reads(structure.stretch(link), 0, 1)).toArray(double[][]::new);
+        give = Arrays.stream(stretch).map(this::gives).toArray(double[][]::new);
+        giveVelocity = Arrays.stream(rate).map(this::gives).toArray(double[][]::new);
     }
 
-    private static double[] read(Row row, double[][] vectors, int offset, double factor) {
-        return Arrays.stream(vectors).mapToDouble(vector -> factor * row.of(vector, offset)).toArray();
+    /**
+     * What reads a sum of a displacement and a velocity from a state as kept, by state.
+     *
+     * @param motion combination of the bodies' coordinates
+     * @param displacement by which its displacement counts
+     * @param velocity by which its velocity counts
+     */
+    double[] reads(Row motion, double displacement, double velocity) {
+        return Arrays.stream(vectors)
+                .mapToDouble(vector -> displacement / balance * motion.of(vector, 0) + velocity * motion.of(vector, states / 2)).toArray();
+    }
+
+    /** What unit forces of the laws give at the end of the step in which they are found to what is read so, by law. */
+    double[] gives(double[] reads) {
+        return Arrays.stream(own).mapToDouble(column -> dot(reads, column)).toArray();
     }
 
     private double[] pushed(double[] atStart, double[] atEnd) {

@@ -17,8 +17,23 @@ final class Modulations {
      * sensors make a quarter of a millimetre.
      */
     private static final double LOWEST = 0.3;
-    /** What another link does depends on the motion that depends on it: so often it is worked out anew. */
-    private static final int ROUNDS = 2;
+
+    private static final ModulatorSeries.Links UNKNOWN = new ModulatorSeries.Links() {
+        @Override
+        public double[] load(int link) {
+            throw new IllegalStateException("what link " + (link + 1) + " carries is not known before it moves");
+        }
+
+        @Override
+        public double[] displacement(int link) {
+            throw new IllegalStateException("how link " + (link + 1) + " moves is not known before it does");
+        }
+
+        @Override
+        public double[] velocity(int link) {
+            return displacement(link);
+        }
+    };
 
     private final Excitation excitation;
 
@@ -26,28 +41,13 @@ final class Modulations {
         this.excitation = excitation;
     }
 
-    /** How often a run has to be repeated until the loads that laws go by are those of the motion that they make. */
-    static int rounds(List<LawAt> laws) {
-        return laws.stream().anyMatch(at -> at.law().modulator().otherLink().isPresent()) ? ROUNDS : 0;
+    /** By law; empty where nothing modulates, or another link does, which only a run knows. */
+    double[][] of(List<LawAt> laws) {
+        return laws.stream().map(at -> at.law().modulator()).map(modulator -> modulator.otherLink().isPresent() ? new double[0]
+                : of(modulator, UNKNOWN)).toArray(double[][]::new);
     }
 
-    /**
-     * By law; empty where nothing modulates.
-     *
-     * @param links asked only for a law that goes by another link
-     */
-    double[][] of(List<LawAt> laws, Links links) {
-        return laws.stream().map(at -> of(at.law().modulator(), links)).toArray(double[][]::new);
-    }
-
-    /** What links do, as spectra. */
-    interface Links {
-        double[] load(int link);
-
-        double[] deflection(int link);
-    }
-
-    double[] of(Modulator modulator, Links links) {
+    double[] of(Modulator modulator, ModulatorSeries.Links links) {
         if (modulator instanceof Modulator.None) {
             return new double[0];
         }
@@ -67,11 +67,14 @@ final class Modulations {
             return excitation.fineSeries(above(LOWEST, Spectra.overJOmega(omega, Spectra.overJOmega(omega, apart))));
         }
         if (modulator instanceof Modulator.OtherLink other) {
-            double[] moved = other.of() == Modulator.Of.LOAD ? links.load(other.link()) : links.deflection(other.link());
-            return excitation.fineSeries(other.of() == Modulator.Of.SPEED ? Spectra.timesJOmega(excitation.omega(), moved) : moved);
+            return switch (other.of()) {
+                case LOAD -> links.load(other.link());
+                case DEFLECTION -> links.displacement(other.link());
+                case SPEED -> links.velocity(other.link());
+            };
         }
         if (modulator instanceof Modulator.PartOf part) {
-            double[] whole = of(part.whole(), links);
+            double[] whole = of(part.whole(), links).clone();
             Arrays.setAll(whole, i -> part.of(whole[i]));
             return whole;
         }

@@ -1,49 +1,41 @@
 package wbv.body.simulate;
 
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import wbv.body.Assembly;
 import wbv.body.number.Modulator;
 
-/**
- * What modulates laws where an assembly moves, at the free run's rate: every series is worked out once, and the assembly runs once, when a
- * modulator first goes by one of its links. Threads may share it.
- */
+/** What modulates laws along a motion that is known, at the free run's rate: every series is worked out once. Threads may share it. */
 public final class ModulatorSeries {
 
     private final Excitation excitation;
-    private final Assembly assembly;
+    private final Links links;
     private final Map<Modulator, double[]> known = new ConcurrentHashMap<>();
-    private Optional<Simulator.Moved> moved = Optional.empty();
 
-    /** The modulators of an assembly on an excitation; each is worked out when it is first asked for. */
-    public ModulatorSeries(Excitation excitation, Assembly assembly) {
+    /** What links do, at the free run's rate. */
+    public interface Links {
+
+        /** What a link carries beside its static load, by sample [N], positive in extension. Not a copy. */
+        double[] load(int link);
+
+        /** Relative displacement of a link's ends, by sample [m], positive in extension. Not a copy. */
+        double[] displacement(int link);
+
+        /** Relative velocity of a link's ends, by sample [m/s], positive where they part. Not a copy. */
+        double[] velocity(int link);
+    }
+
+    /**
+     * The modulators along a motion; each is worked out when it is first asked for.
+     *
+     * @param links of the motion, asked for by modulators that go by one
+     */
+    public ModulatorSeries(Excitation excitation, Links links) {
         this.excitation = excitation;
-        this.assembly = assembly;
+        this.links = links;
     }
 
     /** A modulator by sample, in the modulator's unit; empty for nothing. Not a copy. */
     public double[] of(Modulator modulator) {
-        return known.computeIfAbsent(modulator, asked -> new Modulations(excitation).of(asked, new Modulations.Links() {
-            @Override
-            public double[] load(int link) {
-                return moved().load(link);
-            }
-
-            @Override
-            public double[] deflection(int link) {
-                return moved().deflection(link);
-            }
-        }));
-    }
-
-    private synchronized Simulator.Moved moved() {
-        Simulator.Moved there = moved.orElseGet(() -> {
-            Simulator.Response response = new Simulator(excitation).run(assembly, false);
-            return new Simulator.Moved(assembly, response.stretch(), response.forces(), excitation.omega());
-        });
-        moved = Optional.of(there);
-        return there;
+        return known.computeIfAbsent(modulator, asked -> new Modulations(excitation).of(asked, links));
     }
 }

@@ -172,30 +172,6 @@ public final class Simulator {
         return new Assembly(assembly.structure().with(values), linear, assembly.drives(), assembly.outputs());
     }
 
-    /**
-     * What the links of an assembly do where it has moved.
-     *
-     * @param stretch by link
-     * @param forces by law; none counts where there are none
-     */
-    record Moved(Assembly assembly, double[][] stretch, double[][] forces, double[] omega) implements Modulations.Links {
-        @Override
-        public double[] load(int link) {
-            double[] out = Spectra.timesJOmega(omega, stretch[link]);
-            for (int i = 0; i < out.length; i++) {
-                out[i] = assembly.structure().damping()[link] * out[i] + assembly.structure().stiffness()[link] * stretch[link][i];
-            }
-            IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link)
-                    .forEach(i -> Spectra.add(out, forces[i], 1));
-            return out;
-        }
-
-        @Override
-        public double[] deflection(int link) {
-            return stretch[link];
-        }
-    }
-
     /** The linear part of an assembly, solved once, to be asked what forces in its links do. */
     public Linearised linearised(Assembly assembly) {
         return new Linearised(transparent(assembly));
@@ -481,7 +457,7 @@ public final class Simulator {
                 }
                 knownSlope[p - from] = any ? bodySeries(slopes, p) : new double[0][];
             }
-            FreeRun.Run result = freeRun(sensitivities, modulations(known))
+            FreeRun.Run result = freeRun(sensitivities, new Modulations(excitation).of(assembly.laws()))
                     .run(excitation.fineBase(), known, sensitivities.any(), knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
@@ -511,32 +487,6 @@ public final class Simulator {
         private FreeRun freeRun(Sensitivities slopes, double[][] modulation) {
             return excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
                     : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
-        }
-
-        /**
-         * What modulates each law: loads as the motion makes them that they make.
-         *
-         * @param known forces on the bodies at the free run's rate
-         */
-        private double[][] modulations(double[][] known) {
-            Modulations modulations = new Modulations(excitation);
-            double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
-            for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
-                FreeRun.Run run = freeRun(Sensitivities.NONE, out).run(excitation.fineBase(), known, false);
-                double[][] motion = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
-                double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
-                for (int i = 0; i < forces.length; i++) {
-                    response.addLinkForce(assembly.laws().get(i).link(), forces[i], motion);
-                }
-                out = modulations.of(assembly.laws(), moved(motion, forces));
-            }
-            return out;
-        }
-
-        private Moved moved(double[][] motion, double[][] forces) {
-            return new Moved(assembly,
-                    IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, motion)).toArray(double[][]::new), forces,
-                    excitation.omega());
         }
 
         /** Link and body forces of the drives as force series on the bodies, at the free run's rate. */

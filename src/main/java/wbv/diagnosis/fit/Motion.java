@@ -3,7 +3,11 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.Optional;
 import wbv.body.Assembly;
+import wbv.body.Spectra;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
 import wbv.body.simulate.Excitation;
+import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 
 /**
@@ -12,18 +16,22 @@ import wbv.body.simulate.Simulator;
  *
  * <p>Good to rank laws, not to fit them: with the measured motion in it a link predicts its own channel, whatever its stiffness.
  */
-public final class Motion {
+public final class Motion implements ModulatorSeries.Links {
 
     private static final double CROSSOVER = 1;
     private static final double TOP = 18;
     private static final double BOTTOM = 0.15;
 
+    private final Assembly assembly;
+    private final double step;
     private final double[][] displacement;
     private final double[][] velocity;
 
     /** Works out the motion of all links, which takes a run of the assembly where a link's end is not measured. */
     public Motion(Evidence evidence, Assembly assembly) {
+        this.assembly = assembly;
         Excitation excitation = evidence.excitation();
+        step = excitation.fineStep();
         double[] omega = excitation.omega();
         int links = assembly.structure().links();
         displacement = new double[links][];
@@ -125,14 +133,29 @@ public final class Motion {
         }
     }
 
-    /** Displacement of a link at the free run's rate, by sample [m]. Not a copy. */
+    @Override
     public double[] displacement(int link) {
         return displacement[link];
     }
 
-    /** Velocity of a link at the free run's rate, by sample [m/s]. Not a copy. */
+    @Override
     public double[] velocity(int link) {
         return velocity[link];
+    }
+
+    /** What the model's spring, dashpot and laws carry along the measured motion. Laws in it that something modulates are left out. */
+    @Override
+    public double[] load(int link) {
+        double stiffness = assembly.structure().stiffness()[link];
+        double damping = assembly.structure().damping()[link];
+        double[] out = new double[displacement[link].length];
+        Arrays.setAll(out, i -> stiffness * displacement[link][i] + damping * velocity[link][i]);
+        for (LawAt at : assembly.laws()) {
+            if (at.link() == link && at.law().modulator() instanceof Modulator.None) {
+                Spectra.add(out, at.law().series(displacement[link], velocity[link], stiffness, damping, step, new double[0]), 1);
+            }
+        }
+        return out;
     }
 
     /**

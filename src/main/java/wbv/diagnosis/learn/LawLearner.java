@@ -203,8 +203,8 @@ public final class LawLearner {
     /** A sentence whose modulators have limits, one after the other where that is better. */
     private List<Sentence> limited(Sentence sentence, int link) {
         Assembly assembly = base.candidate().at(base.x());
-        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly),
-                new ModulatorSeries(evidence.excitation(), assembly), link);
+        Motion motion = new Motion(evidence, assembly);
+        Grammar grammar = new Grammar(evidence, assembly, motion, new ModulatorSeries(evidence.excitation(), motion), link);
         List<Sentence> out = new ArrayList<>();
         Sentence best = sentence;
         for (int i = 0; i < sentence.terms().size(); i++) {
@@ -264,7 +264,7 @@ public final class LawLearner {
         }
         Assembly assembly = on.at(x);
         Motion motion = new Motion(evidence, assembly);
-        ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), assembly);
+        ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), motion);
         Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
         List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);

@@ -42,7 +42,7 @@ final class Sentences {
     /**
      * @param state where terms are scored, with its derivatives
      * @param motion measured, of the model there
-     * @param modulators of that
+     * @param modulators along it
      */
     Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link) {
         this.state = state;

@@ -67,13 +67,13 @@ public final class Screening {
      * @param state a fit with slopes
      */
     public Screening(Evidence evidence, Fitter.State state, Motion motion) {
-        this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
+        this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), motion));
     }
 
     /**
      * The same with modulators that others share.
      *
-     * @param modulators of the model there
+     * @param modulators along the motion
      */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
         this.modulators = modulators;

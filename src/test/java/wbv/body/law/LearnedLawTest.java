@@ -32,6 +32,23 @@ class LearnedLawTest {
     private static final Structure CHAIN = new Structure(new int[] {-1, 0}, new int[] {0, 1}, new double[] {60000, 40000},
             new double[] {900, 700}, new double[] {20, 40});
 
+    private static final ModulatorSeries.Links STILL = new ModulatorSeries.Links() {
+        @Override
+        public double[] load(int link) {
+            return new double[0];
+        }
+
+        @Override
+        public double[] displacement(int link) {
+            return new double[0];
+        }
+
+        @Override
+        public double[] velocity(int link) {
+            return new double[0];
+        }
+    };
+
     @ParameterizedTest
     @CsvSource({"1, 1", "r, -2", "|v|v, 9", "r^2 v, 12", "|r| sign(v), 2", "r- v, -6", "r+ v, 0", "v+^2, 9", "v-^2, 0", "r v, -6",
         "r^3, -8", "sign(r) |v|, -3", "|r|r |v|v, -36"})
@@ -112,8 +129,7 @@ class LearnedLawTest {
         double[] measured = new double[(int) (60 * RATE)];
         java.util.Arrays.setAll(measured, i -> 0.07 * 2 * Math.PI * 0.7 * Math.cos(2 * Math.PI * 0.7 * i / RATE) + 0.01);
         Excitation excitation = new Excitation(RATE, base(60, 1), Map.of(rate, measured));
-        double[] angle = new ModulatorSeries(excitation, new Assembly(CHAIN, List.of(), List.of(), List.of()))
-                .of(new Modulator.Angle(rate));
+        double[] angle = new ModulatorSeries(excitation, STILL).of(new Modulator.Angle(rate));
         int fine = (int) Math.round(1 / (RATE * excitation.fineStep()));
         for (int i = (int) (20 * RATE * fine); i < 40 * RATE * fine; i += 7) {
             assertEquals(0.07 * Math.sin(2 * Math.PI * 0.7 * i / RATE / fine), angle[i], 0.004);
@@ -125,13 +141,13 @@ class LearnedLawTest {
         Excitation excitation = excitation(20, 1);
         // The load of the upper link, as a force in the lower one: linear, so that the chain's own equations say what must come out.
         Assembly assembly = new Assembly(CHAIN,
-                List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.OtherLink(Modulator.Of.LOAD, 1), 0.05))), List.of(),
+                List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.OtherLink(Modulator.Of.LOAD, 1), 0.8))), List.of(),
                 List.of());
         Simulator.Response response = new Simulator(excitation).run(assembly, false);
         double[] stretch = response.stretch()[1];
         double[] load = Spectra.timesJOmega(excitation.omega(), stretch);
         for (int i = 0; i < load.length; i++) {
-            load[i] = 0.05 * (700 * load[i] + 40000 * stretch[i]);
+            load[i] = 0.8 * (700 * load[i] + 40000 * stretch[i]);
         }
         assertTrue(difference(response.forces()[0], load) < 0.01, "" + difference(response.forces()[0], load));
     }

@@ -24,12 +24,17 @@ import wbv.body.law.BoucWen;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
 import wbv.body.law.LawAt;
+import wbv.body.law.LearnedLimited;
+import wbv.body.law.LearnedMemory;
+import wbv.body.law.LearnedTerm;
 import wbv.body.law.MaxwellArm;
 import wbv.body.law.MuscleReflex;
 import wbv.body.law.ProgressiveSpring;
 import wbv.body.law.QuadraticDamping;
 import wbv.body.law.Reflex;
 import wbv.body.law.SaturatingSpring;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
 import wbv.recording.Channel;
 
 class SimulatorTest {
@@ -89,6 +94,15 @@ class SimulatorTest {
                 new Assembly(CHAIN, List.of(new LawAt(1, new BoucWen(0.4, 8e-4)), new LawAt(0, new QuadraticDamping(500)),
                         new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head, new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()))),
+                new Assembly(CHAIN, List.of(new LawAt(1, learned("r", "load of link 3", 300)), new LawAt(2, new QuadraticDamping(300))),
+                        List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(0, learned("1", "positive part of the deflection of link 2", 30000)),
+                        new LawAt(0, learned("|v|v", "magnitude of the deflection of link 3", 4e6))), List.of(), List.of(head)),
+                new Assembly(CHAIN, List.of(
+                        new LawAt(1, new LearnedLimited(Shape.DEFLECTION, Modulator.parse("speed of link 1"), 4e5, 0.02)),
+                        new LawAt(0, new LearnedMemory(Shape.SPEED, Shape.ONE, Modulator.parse("negative part of the load of link 2"), 30,
+                                0.05))),
+                        List.of(), List.of(torso, head)),
                 faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)),
                 faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
@@ -96,6 +110,10 @@ class SimulatorTest {
                 faulty(new SensorFault.LeverArm(RATE, 0.04)),
                 new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
                         new Assembly.Output(2, Assembly.Reading.VELOCITY, List.of()))));
+    }
+
+    private static Law learned(String shape, String modulator, double coefficient) {
+        return new LearnedTerm(Shape.parse(shape), Modulator.parse(modulator), coefficient);
     }
 
     private static Assembly faulty(SensorFault fault) {
