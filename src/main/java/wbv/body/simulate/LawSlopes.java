@@ -33,7 +33,10 @@ final class LawSlopes {
     private final Law[] lower;
     private final double[] difference;
 
-    /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, modulation, own. */
+    /**
+     * Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, modulation,
+     * own.
+     */
     final double[] force;
     /** Slopes of the memory, likewise. */
     final double[] memory;
