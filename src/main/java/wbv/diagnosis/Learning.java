@@ -41,21 +41,18 @@ final class Learning {
     private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {}
 
     /**
-     * A name that leaves more than the right one may gives way to a likelier law, as does a refusal; or it stands with what it lacks of the
-     * library's form. A name that explains nearly all is asked for its form first: beside terms it may shrink to nothing, so that where
-     * none halve what it leaves, no law in its place does. Another is asked for its form last: with enough terms any name can be dressed up
-     * as the law that explains nearly all without it.
+     * A name that leaves more than noise gives way to a likelier law, as does a refusal; or it stands with what it lacks of the library's
+     * form. Beside a law that explains nearly all only a name that does so too is asked for its form: with enough terms any name can be
+     * dressed up as that law.
      */
     Diagnosed completed(Diagnosed found) {
         Fits fits = found.fits;
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawLearner.lacks(fits);
-        boolean nearly = lacks && explainsNearlyAll(fits, fits.best());
-        Optional<Learnt> first = nearly ? form(fits) : Optional.empty();
-        boolean asked = refused || LawLearner.doubts(fits) && (!nearly || first.isPresent());
-        Optional<Learnt> law = asked ? law(fits, refused) : Optional.empty();
-        boolean last = lacks && !nearly && law.filter(alone -> explainsNearlyAll(fits, alone.law().fit())).isEmpty();
-        Optional<Learnt> form = last ? form(fits) : first;
+        Optional<Learnt> law = refused || LawLearner.doubts(fits) ? law(fits, refused) : Optional.empty();
+        boolean dressed = !explainsNearlyAll(fits, fits.best())
+                && law.filter(alone -> explainsNearlyAll(fits, alone.law().fit())).isPresent();
+        Optional<Learnt> form = lacks && !dressed ? form(fits) : Optional.empty();
         return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
                 .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
                 .or(() -> form

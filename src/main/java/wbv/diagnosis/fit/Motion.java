@@ -11,8 +11,8 @@ import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 
 /**
- * Relative motion of the links as measured: above 1 Hz from the accelerations of both ends over -ω², below it, where noise would
- * drown it, and where an end is not measured, from the model.
+ * Relative motion of the links, as measured or as a model moves. As measured it comes from the accelerations of both ends over -ω² above
+ * 1 Hz; below, where noise would drown it, and where an end is not measured, from the model.
  *
  * <p>Good to rank laws, not to fit them: with the measured motion in it a link predicts its own channel, whatever its stiffness.
  */
@@ -26,6 +26,25 @@ public final class Motion implements ModulatorSeries.Links {
     private final double step;
     private final double[][] displacement;
     private final double[][] velocity;
+
+    private Motion(Assembly assembly, double step, double[][] displacement, double[][] velocity) {
+        this.assembly = assembly;
+        this.step = step;
+        this.displacement = displacement;
+        this.velocity = velocity;
+    }
+
+    /**
+     * The motion of all links as a model moves: nearer to the truth than what two accelerometers say, twice integrated, where it explains
+     * nearly all of them.
+     */
+    public static Motion simulated(Evidence evidence, Assembly assembly) {
+        Excitation excitation = evidence.excitation();
+        double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
+        return new Motion(assembly, excitation.fineStep(), Arrays.stream(stretch).map(excitation::fineSeries).toArray(double[][]::new),
+                Arrays.stream(stretch).map(r -> excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), r)))
+                        .toArray(double[][]::new));
+    }
 
     /** Works out the motion of all links, which takes a run of the assembly where a link's end is not measured. */
     public Motion(Evidence evidence, Assembly assembly) {
@@ -80,7 +99,7 @@ public final class Motion implements ModulatorSeries.Links {
             double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
             for (int l = 0; l < displacement.length; l++) {
                 displacement[l] = excitation.fineSeries(stretch[l]);
-                velocity[l] = excitation.fineSeries(derivative(omega, stretch[l]));
+                velocity[l] = excitation.fineSeries(Spectra.timesJOmega(omega, stretch[l]));
             }
             return;
         }
@@ -98,17 +117,8 @@ public final class Motion implements ModulatorSeries.Links {
         for (int l = 0; l < displacement.length; l++) {
             double[] r = assembly.structure().stretch(l).of(moved, 2 * omega.length);
             displacement[l] = excitation.fineSeries(r);
-            velocity[l] = excitation.fineSeries(derivative(omega, r));
+            velocity[l] = excitation.fineSeries(Spectra.timesJOmega(omega, r));
         }
-    }
-
-    private static double[] derivative(double[] omega, double[] x) {
-        double[] out = new double[x.length];
-        for (int k = 0; k < omega.length; k++) {
-            out[2 * k] = -omega[k] * x[2 * k + 1];
-            out[2 * k + 1] = omega[k] * x[2 * k];
-        }
-        return out;
     }
 
     /** The output that reads the acceleration of a body without a gross fault. */

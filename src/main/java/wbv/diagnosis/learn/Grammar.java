@@ -240,26 +240,9 @@ final class Grammar {
         return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
     }
 
-    /** Other forms of a term: a part of its modulator, or that only so far. */
-    List<Hypothesis> variants(Hypothesis term) {
-        List<Hypothesis> out = new ArrayList<>(limited(term).stream().toList());
-        if (law(term) instanceof LearnedTerm) {
-            out.addAll(halves(term));
-        }
-        return out;
-    }
-
-    /** The term while its modulator is positive, and while that is negative; none where it has no modulator that can be both. */
-    List<Hypothesis> halves(Hypothesis term) {
-        Learned law = law(term);
-        boolean product = law instanceof LearnedTerm || law instanceof LearnedLimited;
-        if (!product || law.modulator() instanceof Modulator.None || law.modulator() instanceof Modulator.Ride) {
-            return List.of();
-        }
-        Shape shape = law instanceof LearnedLimited limited ? limited.shape() : ((LearnedTerm) law).shape();
-        Modulator whole = law.modulator() instanceof Modulator.PartOf part ? part.whole() : law.modulator();
-        return Stream.of(Modulator.Part.POSITIVE, Modulator.Part.NEGATIVE)
-                .map(part -> term(shape, new Modulator.PartOf(part, whole), size(whole))).toList();
+    /** What a term is multiplied by. */
+    static Modulator modulator(Hypothesis term) {
+        return law(term).modulator();
     }
 
     private static Learned law(Hypothesis term) {
@@ -311,7 +294,8 @@ final class Grammar {
         IntStream.range(0, evidence.model().links().size()).filter(l -> l != link)
                 .forEach(l -> Arrays.stream(Modulator.Of.values()).forEach(of -> out.add(new Modulator.OtherLink(of, l))));
         out.addAll(out.stream().filter(modulator -> !(modulator instanceof Modulator.Ride))
-                .map(modulator -> (Modulator) new Modulator.PartOf(Modulator.Part.MAGNITUDE, modulator)).toList());
+                .flatMap(modulator -> Arrays.stream(Modulator.Part.values()).map(part -> (Modulator) new Modulator.PartOf(part, modulator)))
+                .toList());
         return out;
     }
 

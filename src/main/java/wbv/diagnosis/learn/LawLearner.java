@@ -7,12 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.law.LawAt;
 import wbv.body.law.Learned;
+import wbv.body.number.Modulator;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -48,8 +52,13 @@ public final class LawLearner {
     private static final int POLISHED = 3;
     private static final int STEPS = 3;
     private static final int MORE_STEPS = 10;
-    /** Products of which each half is begun: of four laws made by half of another place's load the right one came fifteenth or earlier. */
-    private static final int HALVED = 16;
+    /**
+     * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
+     * another place the right one came second to 55th, and among the first five after three steps of its free run.
+     */
+    private static final int BEGUN = 64;
+    /** One in so many of them is fitted on. */
+    private static final int FURTHER = 4;
     /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
     private static final int LINEAR_STEPS = 20;
     private static final int HALVINGS = 3;
@@ -152,8 +161,7 @@ public final class LawLearner {
     public List<Sentence> tables() {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            likely.clear();
-            all.addAll(fitted(base.candidate(), unbent(link), link, 1, Grammar::tables, term -> true));
+            all.addAll(fitted(asMeasured(link, 0), link, 1, Grammar::tables, term -> true));
         }
         return weighed(all);
     }
@@ -180,24 +188,92 @@ public final class LawLearner {
     }
 
     private List<Sentence> sentences(int link, int most, Fitter.State than) {
-        likely.clear();
-        List<Sentence> all = new ArrayList<>();
-        List<Sentence> latest = fitted(base.candidate(), unbent(link), link, Math.min(2, most), term -> true);
+        int first = Math.min(2, most);
+        boolean known = !than.candidate().added().isEmpty() && !isCorrection() && explainsNearlyAll(than);
+        List<Sentence> all = new ArrayList<>(fitted(known ? along(than) : asMeasured(link, BEGUN), link, first, term -> true));
+        if (!isCorrection() && !all.isEmpty() && leaves(weighed(all).get(0))) {
+            // The motion that even half a law makes is nearer to the truth than two accelerometers twice integrated.
+            all.addAll(fitted(along(weighed(all).get(0).fit()), link, first, term -> true));
+        }
+        List<String> likely = List.copyOf(this.likely);
+        List<Sentence> latest = all;
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
-            all.addAll(latest);
             Sentence best = weighed(all).get(0);
             boolean hopeless = Refinement.excess(best.fit().reduced()) > HOPELESS * Refinement.excess(than.reduced());
             latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless ? List.of()
-                    : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form()));
-            List<Sentence> both = new ArrayList<>(all);
-            both.addAll(latest);
-            latest = weighed(both).get(0).fit() == best.fit() ? List.of() : latest;
+                    : fitted(beside(best.fit()), link, 1, term -> likely.contains(term.form()));
+            all.addAll(latest);
+            latest = latest.isEmpty() || weighed(all).get(0).fit() == best.fit() ? List.of() : latest;
         }
         if (!all.isEmpty()) {
+            all.addAll(shorter(weighed(all).get(0)));
             all.addAll(limited(weighed(all).get(0), link));
         }
         return all;
+    }
+
+    /**
+     * Where terms are scored.
+     *
+     * @param on what they are to stand on
+     * @param x its coordinates [1], one a knob
+     * @param motion of the links
+     * @param begun terms that are begun there where the model went far
+     * @param kin modulators of terms that are begun beside them, whatever their score
+     */
+    private record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator> kin) {}
+
+    private Ground asMeasured(int link, int begun) {
+        double[] x = unbent(link);
+        return new Ground(base.candidate(), x, new Motion(evidence, base.candidate().at(x)), begun, Set.of());
+    }
+
+    /** Terms in the place of those of a fit, along the motion that it makes. */
+    private Ground along(Fitter.State fit) {
+        Assembly assembly = fit.candidate().at(fit.x());
+        Set<Modulator> kin = assembly.laws().stream().map(at -> at.law().modulator()).filter(modulator -> !(modulator instanceof Modulator.None))
+                .collect(Collectors.toSet());
+        return new Ground(base.candidate(), Arrays.copyOf(fit.x(), base.x().length), Motion.simulated(evidence, assembly), BEGUN / 2, kin);
+    }
+
+    /** Terms beside those of a fit. */
+    private Ground beside(Fitter.State fit) {
+        Assembly assembly = fit.candidate().at(fit.x());
+        return new Ground(fit.candidate(), fit.x(),
+                explainsNearlyAll(fit) ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0, Set.of());
+    }
+
+    private boolean explainsNearlyAll(Fitter.State fit) {
+        return Refinement.explained(base, fit) > Refinement.NEARLY_ALL;
+    }
+
+    private static boolean leaves(Sentence sentence) {
+        return sentence.fit().reduced() > Refinement.SILENT;
+    }
+
+    /** A sentence without each of its terms in turn: beside another a term may have been taken that nothing needs. */
+    private List<Sentence> shorter(Sentence sentence) {
+        List<Hypothesis> terms = sentence.terms();
+        return terms.size() < 2 ? List.of()
+                : Parallel.map(terms, left -> begun(without(sentence, left), sentence.of())).stream().filter(each -> !each.fit().failed())
+                        .toList();
+    }
+
+    private Fitter.State without(Sentence sentence, Hypothesis left) {
+        Fitter.State fit = sentence.fit();
+        List<Hypothesis> kept = sentence.terms().stream().filter(term -> term != left).toList();
+        Candidate with = base.candidate();
+        for (Hypothesis each : kept) {
+            with = with.with(each);
+        }
+        double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
+        for (Hypothesis each : kept) {
+            int[] to = with.positions(each);
+            int[] from = fit.candidate().positions(each);
+            IntStream.range(0, to.length).forEach(i -> x[to[i]] = fit.x()[from[i]]);
+        }
+        return settled(search.fitter().look(with, x, base.frame()));
     }
 
     /** A sentence whose modulators have limits, one after the other where that is better. */
@@ -244,82 +320,75 @@ public final class LawLearner {
         return settled(search.fitter().look(with, x, base.frame()));
     }
 
-    /**
-     * The most promising laws, or terms beside a law, fitted by free run, most evident first.
-     *
-     * @param x where terms are scored
-     */
-    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Predicate<Hypothesis> open) {
-        List<Learned> known = on.at(x).laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
-        return fitted(on, x, link, most, grammar -> grammar.terms(known), open);
+    /** The most promising laws, or terms beside a law, fitted by free run, most evident first. */
+    private List<Sentence> fitted(Ground ground, int link, int most, Predicate<Hypothesis> open) {
+        List<Learned> known = ground.on().at(ground.x()).laws().stream().map(LawAt::law).filter(Learned.class::isInstance)
+                .map(Learned.class::cast).toList();
+        return fitted(ground, link, most, grammar -> grammar.terms(known), open);
     }
 
     /** @param words of the grammar */
-    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Function<Grammar, List<Hypothesis>> words,
-            Predicate<Hypothesis> open) {
+    private List<Sentence> fitted(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words, Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
-        Fitter.State scored = fitter.lookWithSlopes(on, x, base.frame());
+        Fitter.State scored = fitter.lookWithSlopes(ground.on(), ground.x(), base.frame());
         if (scored.failed()) {
             return List.of();
         }
-        Assembly assembly = on.at(x);
-        Motion motion = new Motion(evidence, assembly);
+        Assembly assembly = ground.on().at(ground.x());
+        Motion motion = ground.motion();
         ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), motion);
         Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
         List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
+        List<Sentences.Proposal> kin = sentences.of(
+                terms.stream().filter(term -> ground.kin().contains(Grammar.modulator(term))).toList(), 1, term -> Optional.empty());
         // What does not pay for its choice and its numbers to first order is not begun.
-        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0)
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
-        if (likely.isEmpty()) {
+        if (ground.on().equals(base.candidate())) {
+            likely.clear();
             sentences.likely().forEach(term -> likely.add(term.form()));
         }
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> finalists = new ArrayList<>(
                 first(Parallel.map(proposals, proposal -> begun(fitter, scored, sentences, proposal, STEPS)), terms.size()));
-        // Beside a name, with which the model need make up for nothing, the first order tells halves apart.
-        if (!isCorrection() && on.equals(base.candidate()) && Refinement.bent(base)) {
-            finalists.addAll(first(begunInPart(scored, sentences, halves(sentences, grammar)), terms.size()));
+        // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
+        if (!isCorrection() && Refinement.bent(base)) {
+            List<Sentences.Proposal> many = Stream.concat(
+                    all.stream().filter(proposal -> proposal.terms().size() == 1).limit(ground.begun()), kin.stream()).toList();
+            finalists.addAll(first(begunInPart(scored, sentences, many), terms.size()));
         }
         return Parallel.map(finalists, this::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
                 .toList();
     }
 
     /**
-     * Many laws begun on a part of the data that is shaken hard, where such a part tells, since ten steps of each on all of them take most
-     * of a diagnosis; as they stand on all of the data.
+     * Many terms begun on a part of the data that is shaken hard, where such a part tells, and the best of them fitted on there; as they
+     * stand on all of the data.
      *
      * @param scored on all of them
      */
-    private List<Fitter.State> begunInPart(Fitter.State scored, Sentences sentences, List<Sentences.Proposal> proposals) {
-        Optional<Trial.Ground> part = proposals.isEmpty() ? Optional.empty() : search.refinement().brief(base);
+    private List<Fitter.State> begunInPart(Fitter.State scored, Sentences sentences, List<Sentences.Proposal> terms) {
+        if (terms.isEmpty()) {
+            return List.of();
+        }
+        Optional<Trial.Ground> part = search.refinement().brief(base);
         Fitter fitter = part.map(Trial.Ground::fitter).orElse(search.fitter());
         Fitter.State there = part.map(ground -> fitter.lookWithSlopes(scored.candidate(), scored.x(), ground.base().frame()))
                 .orElse(scored);
-        List<Fitter.State> begun = Parallel.map(proposals, proposal -> begun(fitter, there, sentences, proposal, MORE_STEPS));
-        return part.isEmpty() ? begun
-                : Parallel.map(begun, state -> search.fitter().look(state.candidate(), state.x(), scored.frame()));
+        List<Fitter.State> left = Parallel.map(terms, term -> begun(fitter, there, sentences, term, STEPS)).stream()
+                .filter(state -> !state.failed()).sorted(Comparator.comparingDouble(Fitter.State::reduced))
+                .limit(terms.size() / FURTHER).toList();
+        List<Fitter.State> further = Parallel.map(left, state -> fitter.fit(state.candidate(), state.x(), there.frame(), MORE_STEPS, 1e-3));
+        return part.isEmpty() ? further
+                : Parallel.map(further, state -> search.fitter().look(state.candidate(), state.x(), scored.frame()));
     }
 
     /** The most evident of some fits that were begun. */
     private List<Fitter.State> first(List<Fitter.State> states, int of) {
         return weighed(states.stream().filter(state -> !state.failed()).map(state -> begun(state, of)).toList()).stream().limit(POLISHED)
                 .map(Sentence::fit).toList();
-    }
-
-    /**
-     * Terms that work while their modulator is positive, or while it is negative. Which half it is does not show to first order beside a
-     * model that went far to make up for the law, so both are begun.
-     */
-    private static List<Sentences.Proposal> halves(Sentences sentences, Grammar grammar) {
-        Map<String, Hypothesis> halves = new LinkedHashMap<>();
-        for (Hypothesis term : sentences.likely()) {
-            if (halves.size() < 2 * HALVED) {
-                grammar.halves(term).forEach(half -> halves.putIfAbsent(half.form(), half));
-            }
-        }
-        return halves.values().stream().flatMap(half -> sentences.of(List.of(half), 1, other -> List.of()).stream()).toList();
     }
 
     /**
@@ -379,15 +448,12 @@ public final class LawLearner {
         return law(sentences(1, name).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
-    /**
-     * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like
-     * it.
-     */
+    /** Whether a name leaves more than noise: then it may be another law, which only looks like it. */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && !named.evidence().onRig() && leavesMuch(named);
+        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT;
     }
 
     /**

@@ -28,7 +28,7 @@ import wbv.diagnosis.search.Screening;
  */
 final class Sentences {
 
-    /** First terms from which sentences are begun, and terms that may come next. */
+    /** First terms to which others are added, and terms that stand alone or may come next. */
     private static final int BEGUN = 8;
     private static final int NEXT = 160;
     private static final int ROUNDS = 4;
@@ -79,9 +79,9 @@ final class Sentences {
      * Proposals, most worth first, no two of the same kinds of terms.
      *
      * @param most terms of each at most
-     * @param variants other forms of a term, tried where it is among the first
+     * @param variant another form of a term, tried where it is among the first
      */
-    List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, List<Hypothesis>> variants) {
+    List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, Optional<Hypothesis>> variant) {
         likely.clear();
         List<Column> columns = new ArrayList<>();
         List<Column> firsts = new ArrayList<>();
@@ -92,8 +92,8 @@ final class Sentences {
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
                     likely.add(starts.get(0).term());
                 });
-        List<Proposal> out = new ArrayList<>();
-        for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
+        List<Proposal> out = new ArrayList<>(firsts.stream().skip(BEGUN).map(first -> proposal(List.of(first), terms.size())).toList());
+        for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variant))) {
             List<Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen, terms.size()));
             while (chosen.size() < most) {
@@ -138,8 +138,8 @@ final class Sentences {
     }
 
     /** A term, or the form of it that gains more. */
-    private Column varied(Column column, Function<Hypothesis, List<Hypothesis>> variants) {
-        return Stream.concat(Stream.of(column), variants.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
+    private Column varied(Column column, Function<Hypothesis, Optional<Hypothesis>> variant) {
+        return Stream.concat(Stream.of(column), variant.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
                 .max(Comparator.comparingDouble(Column::gain)).orElseThrow();
     }
 

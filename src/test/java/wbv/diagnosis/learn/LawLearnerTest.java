@@ -61,7 +61,8 @@ public class LawLearnerTest {
         return Stream.of(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8),
                 new LearnedTerm(Shape.SPEED, new Modulator.Measured(SWAY), 350),
                 new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.08),
-                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03), new LearnedInertance(4));
+                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03), new LearnedInertance(4),
+                new LearnedTerm(Shape.DEFLECTION, Modulator.parse("negative part of the load of link 2"), 2500));
     }
 
     @Tag("slow")
