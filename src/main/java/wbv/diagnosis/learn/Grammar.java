@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;

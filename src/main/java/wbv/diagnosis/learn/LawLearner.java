@@ -3,16 +3,13 @@ package wbv.diagnosis.learn;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.law.LawAt;
 import wbv.body.law.Learned;
@@ -33,7 +30,6 @@ import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
-import wbv.diagnosis.search.Trial;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
@@ -50,18 +46,11 @@ public final class LawLearner {
     /** Sentences that are begun by free run, and those of them that are fitted to the end. */
     private static final int FITTED = 6;
     private static final int POLISHED = 3;
-    private static final int STEPS = 3;
-    private static final int MORE_STEPS = 10;
     /**
      * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
      * another place the right one came second to 55th, and among the first five after three steps of its free run.
      */
     private static final int BEGUN = 64;
-    /** One in so many of them is fitted on. */
-    private static final int FURTHER = 4;
-    /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
-    private static final int LINEAR_STEPS = 20;
-    private static final int HALVINGS = 3;
     private static final int MOST_TERMS = 4;
     /** A form that more terms correct is another law. */
     private static final int MOST_CORRECTING = 2;
@@ -72,6 +61,7 @@ public final class LawLearner {
     private final Search search;
     private final Fitter.State base;
     private final List<Known.Ignoring> places;
+    private final LawFits fits;
     /** Forms of the terms that gained most where no law was known yet. */
     private final List<String> likely = new ArrayList<>();
 
@@ -86,6 +76,7 @@ public final class LawLearner {
         this.search = search;
         this.base = base;
         this.places = places;
+        this.fits = new LawFits(evidence, search, base);
     }
 
     /**
@@ -191,7 +182,7 @@ public final class LawLearner {
         int first = Math.min(2, most);
         boolean known = !than.candidate().added().isEmpty() && !isCorrection() && explainsNearlyAll(than);
         List<Sentence> all = new ArrayList<>(fitted(known ? along(than) : asMeasured(link, BEGUN), link, first, term -> true));
-        if (!isCorrection() && !all.isEmpty() && leaves(weighed(all).get(0))) {
+        if (!isCorrection() && !all.isEmpty() && leaves(weighed(all).get(0)) && !hopeless(weighed(all).get(0), than)) {
             // The motion that even half a law makes is nearer to the truth than two accelerometers twice integrated.
             all.addAll(fitted(along(weighed(all).get(0).fit()), link, first, term -> true));
         }
@@ -200,8 +191,7 @@ public final class LawLearner {
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             Sentence best = weighed(all).get(0);
-            boolean hopeless = Refinement.excess(best.fit().reduced()) > HOPELESS * Refinement.excess(than.reduced());
-            latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless ? List.of()
+            latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless(best, than) ? List.of()
                     : fitted(beside(best.fit()), link, 1, term -> likely.contains(term.form()));
             all.addAll(latest);
             latest = latest.isEmpty() || weighed(all).get(0).fit() == best.fit() ? List.of() : latest;
@@ -232,8 +222,8 @@ public final class LawLearner {
     /** Terms in the place of those of a fit, along the motion that it makes. */
     private Ground along(Fitter.State fit) {
         Assembly assembly = fit.candidate().at(fit.x());
-        Set<Modulator> kin = assembly.laws().stream().map(at -> at.law().modulator()).filter(modulator -> !(modulator instanceof Modulator.None))
-                .collect(Collectors.toSet());
+        Set<Modulator> kin = assembly.laws().stream().map(at -> at.law().modulator())
+                .filter(modulator -> !(modulator instanceof Modulator.None)).collect(Collectors.toSet());
         return new Ground(base.candidate(), Arrays.copyOf(fit.x(), base.x().length), Motion.simulated(evidence, assembly), BEGUN / 2, kin);
     }
 
@@ -248,6 +238,10 @@ public final class LawLearner {
         return Refinement.explained(base, fit) > Refinement.NEARLY_ALL;
     }
 
+    private static boolean hopeless(Sentence sentence, Fitter.State than) {
+        return Refinement.excess(sentence.fit().reduced()) > HOPELESS * Refinement.excess(than.reduced());
+    }
+
     private static boolean leaves(Sentence sentence) {
         return sentence.fit().reduced() > Refinement.SILENT;
     }
@@ -256,24 +250,10 @@ public final class LawLearner {
     private List<Sentence> shorter(Sentence sentence) {
         List<Hypothesis> terms = sentence.terms();
         return terms.size() < 2 ? List.of()
-                : Parallel.map(terms, left -> begun(without(sentence, left), sentence.of())).stream().filter(each -> !each.fit().failed())
-                        .toList();
-    }
-
-    private Fitter.State without(Sentence sentence, Hypothesis left) {
-        Fitter.State fit = sentence.fit();
-        List<Hypothesis> kept = sentence.terms().stream().filter(term -> term != left).toList();
-        Candidate with = base.candidate();
-        for (Hypothesis each : kept) {
-            with = with.with(each);
-        }
-        double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
-        for (Hypothesis each : kept) {
-            int[] to = with.positions(each);
-            int[] from = fit.candidate().positions(each);
-            IntStream.range(0, to.length).forEach(i -> x[to[i]] = fit.x()[from[i]]);
-        }
-        return settled(search.fitter().look(with, x, base.frame()));
+                : Parallel.map(terms, left -> {
+                    List<Hypothesis> kept = terms.stream().filter(term -> term != left).toList();
+                    return begun(fits.changed(sentence.fit(), kept, kept), sentence.of());
+                }).stream().filter(each -> !each.fit().failed()).toList();
     }
 
     /** A sentence whose modulators have limits, one after the other where that is better. */
@@ -286,38 +266,17 @@ public final class LawLearner {
         for (int i = 0; i < sentence.terms().size(); i++) {
             int at = i;
             Sentence known = best;
-            Optional<Sentence> tried = grammar.limited(known.terms().get(i))
-                    .map(term -> begun(replaced(known, at, term), known.of())).filter(each -> !each.fit().failed());
+            Optional<Sentence> tried = grammar.limited(known.terms().get(i)).map(term -> {
+                List<Hypothesis> terms = new ArrayList<>(known.terms());
+                terms.set(at, term);
+                return begun(fits.changed(known.fit(), known.terms(), terms), known.of());
+            }).filter(each -> !each.fit().failed());
             if (tried.isPresent() && weighed(List.of(known, tried.get())).get(0).fit() == tried.get().fit()) {
                 best = tried.get();
                 out.add(best);
             }
         }
         return out;
-    }
-
-    /**
-     * A fit with another term in the place of one.
-     *
-     * @param term begins with the coefficient of the one that it replaces
-     */
-    private Fitter.State replaced(Sentence sentence, int at, Hypothesis term) {
-        Fitter.State fit = sentence.fit();
-        List<Hypothesis> terms = new ArrayList<>(sentence.terms());
-        terms.set(at, term);
-        Candidate with = base.candidate();
-        for (Hypothesis each : terms) {
-            with = with.with(each);
-        }
-        double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
-        for (int t = 0; t < terms.size(); t++) {
-            int[] to = with.positions(terms.get(t));
-            int[] from = fit.candidate().positions(sentence.terms().get(t));
-            for (int i = 0; i < to.length; i++) {
-                x[to[i]] = i < from.length ? fit.x()[from[i]] : with.knobs().get(to[i]).coordinate(term.starts().get(0).values()[i]);
-            }
-        }
-        return settled(search.fitter().look(with, x, base.frame()));
     }
 
     /** The most promising laws, or terms beside a law, fitted by free run, most evident first. */
@@ -328,7 +287,8 @@ public final class LawLearner {
     }
 
     /** @param words of the grammar */
-    private List<Sentence> fitted(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words, Predicate<Hypothesis> open) {
+    private List<Sentence> fitted(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
+            Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
         Fitter.State scored = fitter.lookWithSlopes(ground.on(), ground.x(), base.frame());
         if (scored.failed()) {
@@ -352,79 +312,22 @@ public final class LawLearner {
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> finalists = new ArrayList<>(
-                first(Parallel.map(proposals, proposal -> begun(fitter, scored, sentences, proposal, STEPS)), terms.size()));
+                first(Parallel.map(proposals, proposal -> LawFits.begun(fitter, scored, sentences, proposal)), terms.size()));
         // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
         if (!isCorrection() && Refinement.bent(base)) {
-            List<Sentences.Proposal> many = Stream.concat(
-                    all.stream().filter(proposal -> proposal.terms().size() == 1).limit(ground.begun()), kin.stream()).toList();
-            finalists.addAll(first(begunInPart(scored, sentences, many), terms.size()));
+            List<Sentences.Proposal> many = all.stream().filter(proposal -> proposal.terms().size() == 1)
+                    .filter(proposal -> kin.stream().noneMatch(each -> each.kind().equals(proposal.kind()))).limit(ground.begun())
+                    .collect(Collectors.toCollection(() -> new ArrayList<>(kin)));
+            finalists.addAll(first(fits.begunInPart(scored, sentences, many), terms.size()));
         }
-        return Parallel.map(finalists, this::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
+        return Parallel.map(finalists, fits::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
                 .toList();
-    }
-
-    /**
-     * Many terms begun on a part of the data that is shaken hard, where such a part tells, and the best of them fitted on there; as they
-     * stand on all of the data.
-     *
-     * @param scored on all of them
-     */
-    private List<Fitter.State> begunInPart(Fitter.State scored, Sentences sentences, List<Sentences.Proposal> terms) {
-        if (terms.isEmpty()) {
-            return List.of();
-        }
-        Optional<Trial.Ground> part = search.refinement().brief(base);
-        Fitter fitter = part.map(Trial.Ground::fitter).orElse(search.fitter());
-        Fitter.State there = part.map(ground -> fitter.lookWithSlopes(scored.candidate(), scored.x(), ground.base().frame()))
-                .orElse(scored);
-        List<Fitter.State> left = Parallel.map(terms, term -> begun(fitter, there, sentences, term, STEPS)).stream()
-                .filter(state -> !state.failed()).sorted(Comparator.comparingDouble(Fitter.State::reduced))
-                .limit(terms.size() / FURTHER).toList();
-        List<Fitter.State> further = Parallel.map(left, state -> fitter.fit(state.candidate(), state.x(), there.frame(), MORE_STEPS, 1e-3));
-        return part.isEmpty() ? further
-                : Parallel.map(further, state -> search.fitter().look(state.candidate(), state.x(), scored.frame()));
     }
 
     /** The most evident of some fits that were begun. */
     private List<Fitter.State> first(List<Fitter.State> states, int of) {
         return weighed(states.stream().filter(state -> !state.failed()).map(state -> begun(state, of)).toList()).stream().limit(POLISHED)
                 .map(Sentence::fit).toList();
-    }
-
-    /**
-     * The first steps from what is proposed; from less of it where that much is not stable.
-     *
-     * @param scored what the law is to stand on, as the fitter sees it, with derivatives
-     * @param steps of a law that is not linear
-     */
-    private static Fitter.State begun(Fitter fitter, Fitter.State scored, Sentences sentences, Sentences.Proposal proposal, int steps) {
-        Candidate with = scored.candidate();
-        for (Hypothesis term : proposal.terms()) {
-            with = with.with(term);
-        }
-        double[] x = sentences.start(proposal, with);
-        Fitter.State state = fitter.look(with, x, scored.frame());
-        for (int half = 0; half < HALVINGS && state.failed(); half++) {
-            for (Hypothesis term : proposal.terms()) {
-                int[] at = with.positions(term);
-                for (int i = 0; i < at.length; i++) {
-                    x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
-                }
-            }
-            state = fitter.look(with, x, scored.frame());
-        }
-        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? steps : LINEAR_STEPS, 1e-3);
-    }
-
-    /** Fitted on, in the whitening of its own model. */
-    private Fitter.State settled(Fitter.State state) {
-        Fitter fitter = search.fitter();
-        return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()),
-                runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
-    }
-
-    private static boolean runsFree(Candidate candidate) {
-        return candidate.added().stream().anyMatch(Hypothesis::runsFree);
     }
 
     /**
