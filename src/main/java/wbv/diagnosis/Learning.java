@@ -10,6 +10,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.learn.LawProof;
 import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
@@ -48,8 +49,8 @@ final class Learning {
     Diagnosed completed(Diagnosed found) {
         Fits fits = found.fits;
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
-        boolean lacks = !found.diagnosis().missing().isEmpty() && LawLearner.lacks(fits);
-        Optional<Learnt> law = refused || LawLearner.doubts(fits) ? law(fits, refused) : Optional.empty();
+        boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
+        Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();
         boolean dressed = !explainsNearlyAll(fits, fits.best())
                 && law.filter(alone -> explainsNearlyAll(fits, alone.law().fit())).isPresent();
         Optional<Learnt> form = lacks && !dressed ? form(fits) : Optional.empty();

@@ -23,9 +23,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.mechanism.LearnedForce;
 import wbv.diagnosis.search.Chosen;
-import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
@@ -54,14 +52,13 @@ public final class LawLearner {
     private static final int MOST_TERMS = 4;
     /** A form that more terms correct is another law. */
     private static final int MOST_CORRECTING = 2;
-    /** How many of the most evident laws are asked to hold. */
-    private static final int HELD_OUT = 3;
 
     private final Evidence evidence;
     private final Search search;
     private final Fitter.State base;
     private final List<Known.Ignoring> places;
     private final LawFits fits;
+    private final LawProof proof;
     /** Forms of the terms that gained most where no law was known yet. */
     private final List<String> likely = new ArrayList<>();
 
@@ -77,6 +74,7 @@ public final class LawLearner {
         this.base = base;
         this.places = places;
         this.fits = new LawFits(evidence, search, base);
+        this.proof = new LawProof(evidence, search, isCorrection());
     }
 
     /**
@@ -351,83 +349,16 @@ public final class LawLearner {
         return law(sentences(1, name).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
-    /** Whether a name leaves more than noise: then it may be another law, which only looks like it. */
-    public static boolean doubts(Fits named) {
-        List<Hypothesis> added = named.best().candidate().added();
-        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
-                && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT;
-    }
-
-    /**
-     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise
-     * is not known, all that is left may be that.
-     */
-    public static boolean lacks(Fits named) {
-        List<Hypothesis> added = named.best().candidate().added();
-        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw)
-                && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
-    }
-
-    private static boolean leavesMuch(Fits named) {
-        double right = Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
-        return named.best().reduced() > Refinement.SILENT && named.best().reduced() - 1 > right;
-    }
-
     private boolean isCorrection() {
         return !base.candidate().added().isEmpty();
     }
 
     /**
-     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more
-     * parts than it has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
+     * The best law, if it holds on data that were not used, see {@link LawProof}.
      *
      * @param name what is known without it: the model alone, or with what was named
      */
     public Optional<Sentence> law(List<Sentence> sentences, Chosen name) {
-        Fitter.State than = name.fit();
-        int parts = than.candidate().added().size();
-        // What leaves more than the name by far does not come to leave less by polishing.
-        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
-        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
-                .filter(sentence -> sentence.fit().reduced() < reach)
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(),
-                        sentence.unit()))
-                .filter(sentence -> {
-                    boolean evident = parts == 0 || isCorrection() || outweighs(sentence, name);
-                    return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
-                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
-                }).findFirst();
-    }
-
-    /**
-     * Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of
-     * every name costs.
-     */
-    private boolean outweighs(Sentence sentence, Chosen name) {
-        double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
-        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
-                search.refinement().heldOut(name.fit()));
-    }
-
-    /**
-     * Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be
-     * missing: its noise is not known.
-     */
-    private boolean holds(Fitter.State fit, Fitter.State than, double most) {
-        return fit.reduced() - floor() < most * (than.reduced() - floor())
-                && search.refinement().heldOut(fit) - floor() < most * (search.refinement().heldOut(than) - floor());
-    }
-
-    /** What noise leaves at least. */
-    private double floor() {
-        return evidence.onRig() ? 0 : 1;
-    }
-
-    /** Whether a fit leaves less on data not used by more than chance. */
-    private boolean foretells(Fitter.State fit, Fitter.State than) {
-        Fitter later = new Fitter(evidence, evidence.whole());
-        return Forecasts.of(later.look(fit.candidate(), fit.x(), evidence.heldOut()),
-                later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut()))).isBetter();
+        return proof.law(sentences, name);
     }
 }

@@ -127,7 +127,7 @@ public class LawLearnerTest {
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
-        assertTrue(LawLearner.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
+        assertTrue(LawProof.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
         LawLearner learner = new LawLearner(evidence, search, named, List.of());
         LawLearner.Sentence best = learner.law(learner.sentences(named), Chosen.single(named)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());

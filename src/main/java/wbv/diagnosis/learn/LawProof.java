@@ -1,0 +1,111 @@
+package wbv.diagnosis.learn;
+
+import java.util.List;
+import java.util.Optional;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.LearnedForce;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+
+/** Whether a law is asked for, and whether one that was fitted holds: on data that were not used, and against what is known without it. */
+public final class LawProof {
+
+    /** How many of the most evident laws are asked to hold. */
+    private static final int HELD_OUT = 3;
+    /** How many times the excess of the name a law may leave that is polished. */
+    private static final double NEAR = 2;
+
+    private final Evidence evidence;
+    private final Search search;
+    private final boolean correction;
+
+    /** @param correction whether laws stand beside a name whose form they correct */
+    LawProof(Evidence evidence, Search search, boolean correction) {
+        this.evidence = evidence;
+        this.search = search;
+        this.correction = correction;
+    }
+
+    /** Whether a name leaves more than noise: then it may be another law, which only looks like it. */
+    public static boolean doubts(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
+                && added.stream().anyMatch(Hypothesis::isLaw);
+        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT;
+    }
+
+    /**
+     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise
+     * is not known, all that is left may be that.
+     */
+    public static boolean lacks(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw)
+                && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+    }
+
+    private static boolean leavesMuch(Fits named) {
+        double right = Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
+        return named.best().reduced() > Refinement.SILENT && named.best().reduced() - 1 > right;
+    }
+
+    /**
+     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more
+     * parts than it has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
+     *
+     * @param sentences most evident first
+     * @param name what is known without it: the model alone, or with what was named
+     */
+    Optional<LawLearner.Sentence> law(List<LawLearner.Sentence> sentences, Chosen name) {
+        Fitter.State than = name.fit();
+        int parts = than.candidate().added().size();
+        // What leaves more than the name by far does not come to leave less by polishing.
+        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
+        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+                .filter(sentence -> sentence.fit().reduced() < reach)
+                .map(sentence -> new LawLearner.Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(),
+                        sentence.of(), sentence.unit()))
+                .filter(sentence -> {
+                    boolean evident = parts == 0 || correction || outweighs(sentence, name);
+                    return evident && (correction && evidence.onRig() ? foretells(sentence.fit(), than)
+                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
+                }).findFirst();
+    }
+
+    /**
+     * Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of
+     * every name costs.
+     */
+    private boolean outweighs(LawLearner.Sentence sentence, Chosen name) {
+        double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
+        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
+                search.refinement().heldOut(name.fit()));
+    }
+
+    /**
+     * Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be
+     * missing: its noise is not known.
+     */
+    private boolean holds(Fitter.State fit, Fitter.State than, double most) {
+        return fit.reduced() - floor() < most * (than.reduced() - floor())
+                && search.refinement().heldOut(fit) - floor() < most * (search.refinement().heldOut(than) - floor());
+    }
+
+    /** What noise leaves at least. */
+    private double floor() {
+        return evidence.onRig() ? 0 : 1;
+    }
+
+    /** Whether a fit leaves less on data not used by more than chance. */
+    private boolean foretells(Fitter.State fit, Fitter.State than) {
+        Fitter later = new Fitter(evidence, evidence.whole());
+        return Forecasts.of(later.look(fit.candidate(), fit.x(), evidence.heldOut()),
+                later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut()))).isBetter();
+    }
+}
