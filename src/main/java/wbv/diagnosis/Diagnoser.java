@@ -51,8 +51,6 @@ public final class Diagnoser {
     private static final double STRONG = 4;
     /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
     private static final double OWN_SCATTER = 0.012;
-    /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
-    private static final double REMAINS = 0.5;
     /** How much more than the best a fit may leave to be looked at with free ways. */
     private static final double CARRIED = 1.2;
     private static final int MOST_CARRIED = 2;
@@ -282,7 +280,7 @@ public final class Diagnoser {
         Diagnosed found = ask.apply(new Diagnoser(evidence.with(push), progress));
         double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
         return Verdicts.namesBesidePush(found) && found.base.reduced() - 1 > OWN_SCATTER * (base.reduced() - 1)
-                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > REMAINS * known).isPresent()
+                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > Verdicts.REMAINS * known).isPresent()
                         ? Optional.of(found) : Optional.empty();
     }
 

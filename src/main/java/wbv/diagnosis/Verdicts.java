@@ -27,6 +27,9 @@ import wbv.recording.Quantity;
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
 
+    /** Part of a push, in root mean square, that is left beside a mechanism if it is not what the mechanism did [1]. */
+    static final double REMAINS = 0.5;
+
     /** From here on a mismatch is plain, whatever the rest of the recording shows. */
     private static final double PLAIN = 1.5;
     /** Part of the best output that the input has to explain, on data not used, before anything is said of what it leaves. */
@@ -129,13 +132,9 @@ final class Verdicts {
         return errors.of(fit) < errors.of(base);
     }
 
-    /**
-     * A force that nobody measured, where no mechanism leaves little. Such a force, arbitrary as it is, leaves nothing of a mismatch; but
-     * where each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains
-     * x - ln(1 + x).
-     */
+    /** A force that nobody measured, where no mechanism takes the mismatch. */
     private Optional<Finding> pushed(boolean named) {
-        if (named && best.reduced() - 1 < Math.log(base.reduced()) || base.reduced() < Refinement.STRANGE) {
+        if (named && isTaken(base.reduced(), best.reduced()) || base.reduced() < Refinement.STRANGE) {
             return Optional.empty();
         }
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
@@ -144,6 +143,18 @@ final class Verdicts {
             return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, scale, p)), rivals, List.of(),
                     words.ending(force.carried(), 0, rivals));
         });
+    }
+
+    /**
+     * Whether a name takes a mismatch that a force of its own might make. Such a force, arbitrary as it is, leaves nothing of it; but where
+     * each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains x - ln(1 +
+     * x). And what a name takes most of is no force of its own, whatever the name leaves.
+     *
+     * @param without mean square of the whitened residual that the model without the name leaves
+     * @param with that the name leaves
+     */
+    static boolean isTaken(double without, double with) {
+        return with - 1 < Math.max(REMAINS * REMAINS * (without - 1), Math.log(without));
     }
 
     /** What the model's own numbers nearly imitate. */
