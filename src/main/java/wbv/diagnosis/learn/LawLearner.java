@@ -3,6 +3,7 @@ package wbv.diagnosis.learn;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -95,6 +96,11 @@ public final class LawLearner {
             return half - price(half, terms.size(), of, numbers, fit.frame().whitening().degrees());
         }
 
+        /** Its place and its terms, whatever their order and their numbers. */
+        String said() {
+            return fit.candidate().last().where() + terms.stream().map(Hypothesis::form).sorted().toList();
+        }
+
         /** @param known that it stands on */
         static Sentence begun(Fitter.State fit, int known, int of) {
             List<Hypothesis> added = fit.candidate().added();
@@ -143,7 +149,9 @@ public final class LawLearner {
         for (int link : links()) {
             all.addAll(sentences(link, most, than));
         }
-        return weighed(all);
+        // What was found from two grounds is one sentence.
+        Set<String> said = new HashSet<>();
+        return weighed(all).stream().filter(sentence -> said.add(sentence.said())).toList();
     }
 
     /** Tables in place of a formula, most evident first. */
