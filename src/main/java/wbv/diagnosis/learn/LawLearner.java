@@ -47,7 +47,8 @@ public final class LawLearner {
     private static final int POLISHED = 3;
     /**
      * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
-     * another place the right one came second to 55th, and among the first five after three steps of its free run.
+     * another place the right one came second to 125th along the motion as measured, and of the three that were begun among the first five
+     * after three steps of its free run.
      */
     private static final int BEGUN = 64;
     private static final int MOST_TERMS = 4;
