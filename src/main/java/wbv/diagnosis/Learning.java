@@ -51,18 +51,14 @@ final class Learning {
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();
-        boolean dressed = !explainsNearlyAll(fits, fits.best())
-                && law.filter(alone -> explainsNearlyAll(fits, alone.law().fit())).isPresent();
+        boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
+                && law.filter(alone -> Refinement.explainsNearlyAll(fits.base(), alone.law().fit())).isPresent();
         Optional<Learnt> form = lacks && !dressed ? form(fits) : Optional.empty();
         return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
                 .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
                 .or(() -> form
                         .map(beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside))))
                 .orElse(found);
-    }
-
-    private static boolean explainsNearlyAll(Fits fits, Fitter.State fit) {
-        return Refinement.explained(fits.base(), fit) > Refinement.NEARLY_ALL;
     }
 
     private LearnedVerdict told(Learnt learnt, Fits fits) {
@@ -87,7 +83,7 @@ final class Learning {
     private List<Known.Ignoring> places(Fits fits, boolean refused) {
         Locator locator = new Locator(evidence, fits.base().candidate());
         Candidate named = fits.best().candidate();
-        return refused || !explainsNearlyAll(fits, fits.best()) ? locator.singles(fits.base().x())
+        return refused || !Refinement.explainsNearlyAll(fits.base(), fits.best()) ? locator.singles(fits.base().x())
                 : locator.among(named.added().stream().map(part -> Place.plain(part, named)).distinct().toList(), fits.base().x());
     }
 

@@ -18,6 +18,7 @@ final class LawSlopes {
     /** Below these a number counts as this large, in its own unit: a step in proportion to nothing would be none. */
     private static final double LEAST = 1e-3;
     private static final double LEAST_MEMORY = 1e-6;
+    /** In the modulator's unit: a thousandth of a link's usual deflection [m], a part in a billion of its load [N]. */
     private static final double LEAST_MODULATION = 1e-6;
 
     /** The law whose slopes these are. */

@@ -187,7 +187,7 @@ public final class LawLearner {
 
     private List<Sentence> sentences(int link, int most, Fitter.State than) {
         int first = Math.min(2, most);
-        boolean known = !than.candidate().added().isEmpty() && !isCorrection() && explainsNearlyAll(than);
+        boolean known = !than.candidate().added().isEmpty() && !isCorrection() && Refinement.explainsNearlyAll(base, than);
         List<Sentence> all = new ArrayList<>(fitted(known ? along(than) : asMeasured(link, BEGUN), link, first, term -> true));
         if (!isCorrection() && !all.isEmpty() && leaves(weighed(all).get(0)) && !hopeless(weighed(all).get(0), than)) {
             // The motion that even half a law makes is nearer to the truth than two accelerometers twice integrated.
@@ -238,11 +238,8 @@ public final class LawLearner {
     private Ground beside(Fitter.State fit) {
         Assembly assembly = fit.candidate().at(fit.x());
         return new Ground(fit.candidate(), fit.x(),
-                explainsNearlyAll(fit) ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0, Set.of());
-    }
-
-    private boolean explainsNearlyAll(Fitter.State fit) {
-        return Refinement.explained(base, fit) > Refinement.NEARLY_ALL;
+                Refinement.explainsNearlyAll(base, fit) ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0,
+                Set.of());
     }
 
     private static boolean hopeless(Sentence sentence, Fitter.State than) {

@@ -184,6 +184,11 @@ public final class Refinement {
         return Math.max(reduced - 1, 0.5);
     }
 
+    /** Whether a fit explains {@link #NEARLY_ALL} of the mismatch of a base. */
+    public static boolean explainsNearlyAll(Fitter.State base, Fitter.State fit) {
+        return explained(base, fit) > NEARLY_ALL;
+    }
+
     /** Part of a mismatch that is explained, 0 to 1. */
     public static double explained(Fitter.State base, Fitter.State best) {
         return explained(base, best.reduced());
