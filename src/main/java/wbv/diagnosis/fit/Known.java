@@ -16,9 +16,13 @@ public final class Known {
     private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
     private final AtomicReference<Fitter.State> base = new AtomicReference<>();
     private final Map<At, List<Ignoring>> places = new ConcurrentHashMap<>();
+    private final Map<About, Object> others = new ConcurrentHashMap<>();
 
     /** A model at coordinates; each is itself and equal to no copy. */
     private record At(Candidate on, double[] x) {}
+
+    /** Something that rests on a fit. */
+    private record About(Fitter.State fit, Class<?> what) {}
 
     /** A part that is shaken hard, see {@link Evidence#brief}. */
     Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
@@ -50,6 +54,17 @@ public final class Known {
         List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();
         places.put(at, found);
         return found;
+    }
+
+    /**
+     * Whatever else rests on a fit and is asked for more than once.
+     *
+     * @param fit told by being the same
+     * @param what of which there is one for each fit
+     * @param begin makes it if nobody asked
+     */
+    public <T> T about(Fitter.State fit, Class<T> what, Supplier<T> begin) {
+        return what.cast(others.computeIfAbsent(new About(fit, what), asked -> begin.get()));
     }
 
     private static <T> T once(AtomicReference<T> known, Supplier<T> find) {

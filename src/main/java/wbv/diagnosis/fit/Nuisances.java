@@ -1,7 +1,10 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
@@ -33,6 +36,8 @@ public final class Nuisances {
     private final double way;
     /** Where looks for the errors begin, in standard deviations: at their bounds those that stood there, 0 for all others. */
     private final double[] begun;
+    /** Factors by the errors that are asked, since looks in one frame ask for the same few again and again. */
+    private final Map<BitSet, SymmetricFactor> factors = new ConcurrentHashMap<>();
 
     /**
      * The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed.
@@ -393,6 +398,12 @@ public final class Nuisances {
 
     /** Of DᵀD + 1 for some of the errors. */
     SymmetricFactor factor(int[] which) {
+        BitSet asked = new BitSet();
+        IntStream.of(which).forEach(asked::set);
+        return factors.computeIfAbsent(asked, some -> factored(which));
+    }
+
+    private SymmetricFactor factored(int[] which) {
         DMatrixRMaj a = new DMatrixRMaj(which.length, which.length);
         for (int i = 0; i < which.length; i++) {
             for (int j = 0; j < which.length; j++) {

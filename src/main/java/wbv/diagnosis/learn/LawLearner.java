@@ -51,6 +51,8 @@ public final class LawLearner {
      * after three steps of its free run.
      */
     private static final int BEGUN = 64;
+    /** Terms of a sentence that are begun together. */
+    private static final int FIRST = 2;
     private static final int MOST_TERMS = 4;
     /** A form that more terms correct is another law. */
     private static final int MOST_CORRECTING = 2;
@@ -61,8 +63,7 @@ public final class LawLearner {
     private final List<Known.Ignoring> places;
     private final LawFits fits;
     private final LawProof proof;
-    /** Forms of the terms that gained most where no law was known yet. */
-    private final List<String> likely = new ArrayList<>();
+    private final Openings openings;
 
     /**
      * On evidence that its library does not explain.
@@ -77,6 +78,7 @@ public final class LawLearner {
         this.places = places;
         this.fits = new LawFits(evidence, search, base);
         this.proof = new LawProof(evidence, search, isCorrection());
+        this.openings = evidence.known().about(base, Openings.class, Openings::new);
     }
 
     /**
@@ -141,25 +143,22 @@ public final class LawLearner {
      * @param than what is known without them: a law that begins by leaving far more gets no further terms
      */
     public List<Sentence> sentences(Fitter.State than) {
-        return sentences(isCorrection() ? MOST_CORRECTING : MOST_TERMS, than);
-    }
-
-    /** @param most terms of each at most */
-    private List<Sentence> sentences(int most, Fitter.State than) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            all.addAll(sentences(link, most, than));
+            all.addAll(sentences(link, isCorrection() ? MOST_CORRECTING : MOST_TERMS, than));
         }
         // What was found from two grounds is one sentence.
         Set<String> said = new HashSet<>();
         return weighed(all).stream().filter(sentence -> said.add(sentence.said())).toList();
     }
 
+
     /** Tables in place of a formula, most evident first. */
     public List<Sentence> tables() {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            all.addAll(fitted(asMeasured(link, 0), link, 1, Grammar::tables, term -> true));
+            all.addAll(opened(Ground.asMeasured(evidence, base.candidate(), unbent(link), 0), link, 1, Grammar::tables, term -> true)
+                    .sentences());
         }
         return weighed(all);
     }
@@ -186,20 +185,14 @@ public final class LawLearner {
     }
 
     private List<Sentence> sentences(int link, int most, Fitter.State than) {
-        int first = Math.min(2, most);
-        boolean known = !than.candidate().added().isEmpty() && !isCorrection() && Refinement.explainsNearlyAll(base, than);
-        List<Sentence> all = new ArrayList<>(fitted(known ? along(than) : asMeasured(link, BEGUN), link, first, term -> true));
-        if (!isCorrection() && !all.isEmpty() && leaves(weighed(all).get(0)) && !hopeless(weighed(all).get(0), than)) {
-            // The motion that even half a law makes is nearer to the truth than two accelerometers twice integrated.
-            all.addAll(fitted(along(weighed(all).get(0).fit()), link, first, term -> true));
-        }
-        List<String> likely = List.copyOf(this.likely);
+        Openings.Opening opening = opening(link, than);
+        List<Sentence> all = new ArrayList<>(opening.sentences());
         List<Sentence> latest = all;
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             Sentence best = weighed(all).get(0);
             latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless(best, than) ? List.of()
-                    : fitted(beside(best.fit()), link, 1, term -> likely.contains(term.form()));
+                    : opened(Ground.beside(evidence, base, best.fit()), link, 1, term -> opening.likely().contains(term.form())).sentences();
             all.addAll(latest);
             latest = latest.isEmpty() || weighed(all).get(0).fit() == best.fit() ? List.of() : latest;
         }
@@ -210,36 +203,21 @@ public final class LawLearner {
         return all;
     }
 
-    /**
-     * Where terms are scored.
-     *
-     * @param on what they are to stand on
-     * @param x its coordinates [1], one a knob
-     * @param motion of the links
-     * @param begun terms that are begun there where the model went far
-     * @param kin modulators of terms that are begun beside them, whatever their score
-     */
-    private record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator> kin) {}
-
-    private Ground asMeasured(int link, int begun) {
+    /** Sentences of a link with the first terms, of one and of two. */
+    private Openings.Opening opening(int link, Fitter.State than) {
+        if (!than.candidate().added().isEmpty() && !isCorrection() && Refinement.explainsNearlyAll(base, than)) {
+            return opened(Ground.along(evidence, base.candidate(), than, BEGUN / 2), link, FIRST, term -> true);
+        }
         double[] x = unbent(link);
-        return new Ground(base.candidate(), x, new Motion(evidence, base.candidate().at(x)), begun, Set.of());
-    }
-
-    /** Terms in the place of those of a fit, along the motion that it makes. */
-    private Ground along(Fitter.State fit) {
-        Assembly assembly = fit.candidate().at(fit.x());
-        Set<Modulator> kin = assembly.laws().stream().map(at -> at.law().modulator())
-                .filter(modulator -> !(modulator instanceof Modulator.None)).collect(Collectors.toSet());
-        return new Ground(base.candidate(), Arrays.copyOf(fit.x(), base.x().length), Motion.simulated(evidence, assembly), BEGUN / 2, kin);
-    }
-
-    /** Terms beside those of a fit. */
-    private Ground beside(Fitter.State fit) {
-        Assembly assembly = fit.candidate().at(fit.x());
-        return new Ground(fit.candidate(), fit.x(),
-                Refinement.explainsNearlyAll(base, fit) ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0,
-                Set.of());
+        Openings.Opening measured = openings.once(link, Arrays.stream(x).boxed().toList(),
+                () -> opened(Ground.asMeasured(evidence, base.candidate(), x, BEGUN), link, FIRST, term -> true));
+        if (isCorrection() || measured.sentences().isEmpty()) {
+            return measured;
+        }
+        Sentence best = weighed(measured.sentences()).get(0);
+        return !leaves(best) || hopeless(best, than) ? measured
+                : measured.and(openings.once(link, best.fit(),
+                        () -> opened(Ground.along(evidence, base.candidate(), best.fit(), BEGUN / 2), link, FIRST, term -> true)));
     }
 
     private static boolean hopeless(Sentence sentence, Fitter.State than) {
@@ -283,20 +261,20 @@ public final class LawLearner {
         return out;
     }
 
-    /** The most promising laws, or terms beside a law, fitted by free run, most evident first. */
-    private List<Sentence> fitted(Ground ground, int link, int most, Predicate<Hypothesis> open) {
+    /** The most promising laws, or terms beside a law, fitted by free run. */
+    private Openings.Opening opened(Ground ground, int link, int most, Predicate<Hypothesis> open) {
         List<Learned> known = ground.on().at(ground.x()).laws().stream().map(LawAt::law).filter(Learned.class::isInstance)
                 .map(Learned.class::cast).toList();
-        return fitted(ground, link, most, grammar -> grammar.terms(known), open);
+        return opened(ground, link, most, grammar -> grammar.terms(known), open);
     }
 
     /** @param words of the grammar */
-    private List<Sentence> fitted(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
+    private Openings.Opening opened(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
             Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
         Fitter.State scored = fitter.lookWithSlopes(ground.on(), ground.x(), base.frame());
         if (scored.failed()) {
-            return List.of();
+            return new Openings.Opening(List.of(), List.of());
         }
         Assembly assembly = ground.on().at(ground.x());
         Motion motion = ground.motion();
@@ -309,10 +287,6 @@ public final class LawLearner {
         // What does not pay for its choice and its numbers to first order is not begun.
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
-        if (ground.on().equals(base.candidate())) {
-            likely.clear();
-            sentences.likely().forEach(term -> likely.add(term.form()));
-        }
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> finalists = new ArrayList<>(
@@ -324,8 +298,10 @@ public final class LawLearner {
                     .collect(Collectors.toCollection(() -> new ArrayList<>(kin)));
             finalists.addAll(first(fits.begunInPart(scored, sentences, many), terms.size()));
         }
-        return Parallel.map(finalists, fits::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
-                .toList();
+        return new Openings.Opening(
+                Parallel.map(finalists, fits::settled).stream().filter(state -> !state.failed()).map(state -> begun(state, terms.size()))
+                        .toList(),
+                sentences.likely().stream().map(Hypothesis::form).toList());
     }
 
     /** The most evident of some fits that were begun. */
@@ -352,7 +328,13 @@ public final class LawLearner {
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     public boolean isOne(Fitter.State name) {
-        return law(sentences(1, name).stream().limit(1).toList(), Chosen.single(name)).isPresent();
+        List<Sentence> all = new ArrayList<>();
+        for (int link : links()) {
+            List<Sentence> single = opening(link, name).sentences().stream().filter(sentence -> sentence.terms().size() == 1).toList();
+            all.addAll(single);
+            all.addAll(single.isEmpty() ? single : limited(weighed(single).get(0), link));
+        }
+        return law(weighed(all).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
     private boolean isCorrection() {

@@ -35,6 +35,8 @@ public final class PairSearch {
     private static final double ALIKE = 2;
     /** Part of the mismatch that a mechanism explains if it is at least one of those that are missing. */
     private static final double HALF = 0.5;
+    /** Part of the mismatch that nothing at the likeliest place explains, less of which is not asked for a place of its own. */
+    private static final double REST = 0.1;
     /** The least that counts as an excess. */
     public static final double QUIET = Refinement.excess(1);
 
@@ -137,13 +139,14 @@ public final class PairSearch {
     }
 
     /**
-     * Whether all that is missing enters at a place.
+     * Whether nearly all that is missing enters at a place.
      *
      * @param best as a part of the data may show it
      */
     private boolean atOnePlace(Known.Ignoring best) {
-        return Refinement.excess(best.reduced()) <= QUIET
-                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= QUIET;
+        double most = Math.max(QUIET, REST * Refinement.excess(base.reduced()));
+        return Refinement.excess(best.reduced()) <= most
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
     }
 
     /** Places one by one, best first, as some data show them. */

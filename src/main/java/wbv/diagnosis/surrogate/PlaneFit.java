@@ -16,13 +16,17 @@ import wbv.signal.ScalarProduct;
  * Moves the numbers of a {@link PlaneNet} until its sensors read what was computed: Levenberg (1944) and Marquardt (1963) on spectra, with
  * derivatives that are exact but for those of the matrices. What is missed of an output, as a share of it, counts once a mode, not by line:
  * an arrangement that is not the right one errs by mode. The numbers are expected where they are usual.
+ *
+ * <p>By how much the arrangement will miss is not known before: bodies in a plane that stand for a simulation of many more never come as
+ * near as ones that are the simulation's own. So that share is a number that the fit finds too (its likelihood at its greatest over the
+ * share: the logarithm of what is missed). Were it given, and too small, then numbers that no person has would be bought with a percent.
  */
 final class PlaneFit {
 
     /** Steps at most: about twice what fits of twelve motions take. */
     private static final int STEPS = 150;
-    /** A step that lowers the cost by less than this share is the last. */
-    private static final double SETTLED = 1e-4;
+    /** A step that lowers the cost by less is the last: as much as a tenth of a number's standard deviation is worth. */
+    private static final double SETTLED = 0.01;
     /** Times a number's own curvature: a step is then nothing beside any number's spread. */
     private static final double MOST_DAMPING = 1e8;
     /**
@@ -46,7 +50,7 @@ final class PlaneFit {
      * A net that was fitted.
      *
      * @param missed share of each output
-     * @param cost what the fit lowers
+     * @param cost what the fit lowers: twice the negative logarithm of its likelihood times that of the numbers, but for a constant
      */
     record Fitted(PlaneNet net, double[] missed, double cost) {
         double worst() {
@@ -58,18 +62,18 @@ final class PlaneFit {
     private final double[][] base;
     private final List<Output> outputs;
     private final double[] size;
-    private final double share;
+    private final double least;
 
     /**
      * @param omega   angular frequency of each line [rad/s]
      * @param base spectra of its acceleration along x, along z and about y; real and imaginary part of a line side by side. Not modified.
-     * @param share   of an output that may be missed, its standard deviation
+     * @param least   share of an output that even the right arrangement misses
      */
-    PlaneFit(double[] omega, double[][] base, List<Output> outputs, double share) {
+    PlaneFit(double[] omega, double[][] base, List<Output> outputs, double least) {
         this.omega = omega;
         this.base = base;
         this.outputs = List.copyOf(outputs);
-        this.share = share;
+        this.least = least;
         size = outputs.stream().mapToDouble(output -> Math.sqrt(ScalarProduct.of(output.lines(), output.lines()))).toArray();
     }
 
@@ -92,7 +96,7 @@ final class PlaneFit {
             PlaneNet trial = net.at(at);
             Normal then = normal(trial);
             if (then.cost < now.cost) {
-                boolean settled = then.cost > (1 - SETTLED) * now.cost && damping <= 1;
+                boolean settled = then.cost > now.cost - SETTLED && damping <= 1;
                 net = trial;
                 now = then;
                 damping /= 5;
@@ -141,12 +145,17 @@ final class PlaneFit {
                 Arrays.setAll(row, j -> row[j] + more[j]);
             }
         }
-        double cost = net.motions() * Arrays.stream(missed).sum() / (share * share);
+        double share = least * least + Arrays.stream(missed).average().orElseThrow();
+        double cost = net.motions() * outputs.size() * Math.log(share);
+        double weight = net.motions() / share;
         for (int i = 0; i < at.length; i++) {
             double pull = (at[i] - usual[i]) / spread[i];
             cost += pull * pull;
+            for (int j = 0; j < at.length; j++) {
+                square[i][j] *= weight;
+            }
             square[i][i] += 1 / (spread[i] * spread[i]);
-            slope[i] -= pull / spread[i];
+            slope[i] = weight * slope[i] - pull / spread[i];
         }
         return new Normal(square, slope, missed, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost);
     }
@@ -206,14 +215,11 @@ final class PlaneFit {
                     re[p] = line.slopeRe;
                     im[p] = line.slopeIm;
                 }
-                double weight = line.n / (share * share);
                 for (int p = 0; p < parameters; p++) {
-                    slope[p] -= weight * (re[p] * line.errorRe + im[p] * line.errorIm);
+                    slope[p] -= re[p] * line.errorRe + im[p] * line.errorIm;
                     double[] row = square[p];
-                    double a = weight * re[p];
-                    double b = weight * im[p];
                     for (int q = 0; q <= p; q++) {
-                        row[q] += a * re[q] + b * im[q];
+                        row[q] += re[p] * re[q] + im[p] * im[q];
                     }
                 }
             }
