@@ -45,7 +45,8 @@ record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator>
     /** Beside a fit's terms; along the motion that these make where they explain nearly all. */
     static Ground beside(Evidence evidence, Fitter.State base, Fitter.State fit) {
         Assembly assembly = fit.candidate().at(fit.x());
-        return new Ground(fit.candidate(), fit.x(),
-                Refinement.explainsNearlyAll(base, fit) ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0, Set.of());
+        boolean told = Refinement.explainsNearlyAll(base, fit);
+        return new Ground(fit.candidate(), fit.x(), told ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0,
+                Set.of());
     }
 }

@@ -192,7 +192,8 @@ public final class LawLearner {
         while (!latest.isEmpty()) {
             Sentence best = weighed(all).get(0);
             latest = best.terms().size() >= most || best.evidence() <= 0 || hopeless(best, than) ? List.of()
-                    : opened(Ground.beside(evidence, base, best.fit()), link, 1, term -> opening.likely().contains(term.form())).sentences();
+                    : opened(Ground.beside(evidence, base, best.fit()), link, 1, term -> opening.likely().contains(term.form()))
+                            .sentences();
             all.addAll(latest);
             latest = latest.isEmpty() || weighed(all).get(0).fit() == best.fit() ? List.of() : latest;
         }
