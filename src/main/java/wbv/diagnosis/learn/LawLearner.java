@@ -152,7 +152,6 @@ public final class LawLearner {
         return weighed(all).stream().filter(sentence -> said.add(sentence.said())).toList();
     }
 
-
     /** Tables in place of a formula, most evident first. */
     public List<Sentence> tables() {
         List<Sentence> all = new ArrayList<>();
