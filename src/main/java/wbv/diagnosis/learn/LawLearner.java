@@ -51,7 +51,7 @@ public final class LawLearner {
      * after three steps of its free run.
      */
     private static final int BEGUN = 64;
-    /** Terms of a sentence that are begun together. */
+    /** Terms [1] of a sentence that are begun together: effort, since of two thousand terms the pairs can still all be scored. */
     private static final int FIRST = 2;
     private static final int MOST_TERMS = 4;
     /** A form that more terms correct is another law. */
@@ -205,19 +205,24 @@ public final class LawLearner {
 
     /** Sentences of a link with the first terms, of one and of two. */
     private Openings.Opening opening(int link, Fitter.State than) {
-        if (!than.candidate().added().isEmpty() && !isCorrection() && Refinement.explainsNearlyAll(base, than)) {
-            return opened(Ground.along(evidence, base.candidate(), than, BEGUN / 2), link, FIRST, term -> true);
+        boolean known = !than.candidate().added().isEmpty() && !isCorrection() && Refinement.explainsNearlyAll(base, than);
+        Openings.Opening first = known ? along(link, than) : asMeasured(link);
+        if (isCorrection() || first.sentences().isEmpty()) {
+            return first;
         }
+        Sentence best = weighed(first.sentences()).get(0);
+        return !leaves(best) || hopeless(best, than) ? first : first.and(along(link, best.fit()));
+    }
+
+    private Openings.Opening asMeasured(int link) {
         double[] x = unbent(link);
-        Openings.Opening measured = openings.once(link, Arrays.stream(x).boxed().toList(),
+        return openings.once(link, Arrays.stream(x).boxed().toList(),
                 () -> opened(Ground.asMeasured(evidence, base.candidate(), x, BEGUN), link, FIRST, term -> true));
-        if (isCorrection() || measured.sentences().isEmpty()) {
-            return measured;
-        }
-        Sentence best = weighed(measured.sentences()).get(0);
-        return !leaves(best) || hopeless(best, than) ? measured
-                : measured.and(openings.once(link, best.fit(),
-                        () -> opened(Ground.along(evidence, base.candidate(), best.fit(), BEGUN / 2), link, FIRST, term -> true)));
+    }
+
+    private Openings.Opening along(int link, Fitter.State fit) {
+        return openings.once(link, fit,
+                () -> opened(Ground.along(evidence, base.candidate(), fit, BEGUN / 2), link, FIRST, term -> true));
     }
 
     private static boolean hopeless(Sentence sentence, Fitter.State than) {

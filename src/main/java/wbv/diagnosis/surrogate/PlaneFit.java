@@ -25,7 +25,7 @@ final class PlaneFit {
 
     /** Steps at most: about twice what fits of twelve motions take. */
     private static final int STEPS = 150;
-    /** A step that lowers the cost by less is the last: as much as a tenth of a number's standard deviation is worth. */
+    /** A step that lowers the cost [1] by less is the last: the square of a tenth of a number's standard deviation. */
     private static final double SETTLED = 0.01;
     /** Times a number's own curvature: a step is then nothing beside any number's spread. */
     private static final double MOST_DAMPING = 1e8;
@@ -145,9 +145,9 @@ final class PlaneFit {
                 Arrays.setAll(row, j -> row[j] + more[j]);
             }
         }
-        double share = least * least + Arrays.stream(missed).average().orElseThrow();
-        double cost = net.motions() * outputs.size() * Math.log(share);
-        double weight = net.motions() / share;
+        double variance = least * least + Arrays.stream(missed).average().orElseThrow();
+        double cost = net.motions() * outputs.size() * Math.log(variance);
+        double weight = net.motions() / variance;
         for (int i = 0; i < at.length; i++) {
             double pull = (at[i] - usual[i]) / spread[i];
             cost += pull * pull;
