@@ -10,6 +10,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.learn.Sentence;
 import wbv.diagnosis.learn.LawProof;
 import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.search.Chosen;
@@ -39,7 +40,7 @@ final class Learning {
     }
 
     /** A law that was learned among others. */
-    private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {}
+    private record Learnt(LawLearner learner, List<Sentence> sentences, Sentence law) {}
 
     /**
      * A name that leaves more than noise gives way to a likelier law, as does a refusal; or it stands with what it lacks of the library's
@@ -74,7 +75,7 @@ final class Learning {
         progress.accept("learning the law", 0.8);
         LawLearner learner = new LawLearner(evidence, search, fits.base(), places(fits, refused));
         Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
-        List<LawLearner.Sentence> sentences = learner.sentences(than.fit());
+        List<Sentence> sentences = learner.sentences(than.fit());
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
                 .map(law -> new Learnt(learner, sentences, law));
     }
@@ -91,7 +92,7 @@ final class Learning {
     private Optional<Learnt> form(Fits fits) {
         progress.accept("learning the form", 0.85);
         LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
-        List<LawLearner.Sentence> sentences = learner.sentences(fits.best());
+        List<Sentence> sentences = learner.sentences(fits.best());
         return learner.law(sentences, fits.chosen()).map(law -> new Learnt(learner, sentences, law));
     }
 
@@ -99,12 +100,12 @@ final class Learning {
      * How likely one of the laws that were fitted is. Likelier ones than the law that was taken foretold data not used too badly to be
      * laws.
      */
-    private static double share(Learnt learnt, LawLearner.Sentence of) {
+    private static double share(Learnt learnt, Sentence of) {
         double evidence = learnt.law().evidence();
         return Math.exp(of.evidence() - evidence) / (1 + others(learnt).mapToDouble(each -> Math.exp(each.evidence() - evidence)).sum());
     }
 
-    private static Stream<LawLearner.Sentence> others(Learnt learnt) {
+    private static Stream<Sentence> others(Learnt learnt) {
         return learnt.sentences().stream().filter(each -> each.gain() != learnt.law().gain() && each.evidence() <= learnt.law().evidence());
     }
 

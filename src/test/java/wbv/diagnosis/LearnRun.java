@@ -12,6 +12,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.learn.Sentence;
 import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Search;
@@ -39,14 +40,14 @@ final class LearnRun {
             places.stream().limit(4).forEach(
                     place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
             start = System.nanoTime();
-            List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences(base);
+            List<Sentence> sentences = new LawLearner(evidence, search, base, places).sentences(base);
             System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9,
                     base.reduced(), search.refinement().heldOut(base));
-            sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8)
+            sentences.stream().sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).limit(8)
                     .forEach(each -> System.out.printf(Locale.ROOT,
                             "   %9.1f nat  left %8.3f held out %8.3f  %s%n", each.evidence(), each.fit().reduced(),
                             search.refinement().heldOut(each.fit()), LearnedWords.of(model, each.fit())));
-            LawLearner.Sentence first = sentences.get(0);
+            Sentence first = sentences.get(0);
             Fitter.State polished = search.refinement().polish(first.fit());
             System.out.printf(Locale.ROOT, "   polished left %8.3f held out %8.3f  %s%n", polished.reduced(),
                     search.refinement().heldOut(polished), LearnedWords.of(model, polished));

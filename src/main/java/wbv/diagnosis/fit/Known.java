@@ -15,14 +15,9 @@ public final class Known {
 
     private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
     private final AtomicReference<Fitter.State> base = new AtomicReference<>();
-    private final Map<At, List<Ignoring>> places = new ConcurrentHashMap<>();
-    private final Map<About, Object> others = new ConcurrentHashMap<>();
+    private final Map<Asked, Object> others = new ConcurrentHashMap<>();
 
-    /** A model at coordinates; each is itself and equal to no copy. */
-    private record At(Candidate on, double[] x) {}
-
-    /** Something that rests on a fit. */
-    private record About(Fitter.State fit, Class<?> what) {}
+    private record Asked(Object question, Class<?> answer) {}
 
     /** A part that is shaken hard, see {@link Evidence#brief}. */
     Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
@@ -44,27 +39,17 @@ public final class Known {
     public record Ignoring(List<Place> places, double[] x, double reduced) {}
 
     /**
-     * All places one by one.
+     * Whatever else is asked for more than once.
      *
-     * @param x where fits start, coordinates [1], one a knob, told by being the same array: kept and not modified.
-     * @param find works them out if nobody asked
+     * @param question told by being equal
+     * @param answer what it is
+     * @param find works it out if nobody asked
      */
-    public List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {
-        At at = new At(on, x);
-        List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();
-        places.put(at, found);
+    public <T> T once(Object question, Class<T> answer, Supplier<T> find) {
+        Asked asked = new Asked(question, answer);
+        T found = others.containsKey(asked) ? answer.cast(others.get(asked)) : find.get();
+        others.put(asked, found);
         return found;
-    }
-
-    /**
-     * Whatever else rests on a fit and is asked for more than once.
-     *
-     * @param fit told by being the same
-     * @param what of which there is one for each fit
-     * @param begin makes it if nobody asked
-     */
-    public <T> T about(Fitter.State fit, Class<T> what, Supplier<T> begin) {
-        return what.cast(others.computeIfAbsent(new About(fit, what), asked -> begin.get()));
     }
 
     private static <T> T once(AtomicReference<T> known, Supplier<T> find) {

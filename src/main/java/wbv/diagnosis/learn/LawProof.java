@@ -62,14 +62,14 @@ public final class LawProof {
      * @param sentences most evident first
      * @param name what is known without it: the model alone, or with what was named
      */
-    Optional<LawLearner.Sentence> law(List<LawLearner.Sentence> sentences, Chosen name) {
+    Optional<Sentence> law(List<Sentence> sentences, Chosen name) {
         Fitter.State than = name.fit();
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
         double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
                 .filter(sentence -> sentence.fit().reduced() < reach)
-                .map(sentence -> new LawLearner.Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(),
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(),
                         sentence.of(), sentence.unit()))
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
@@ -82,7 +82,7 @@ public final class LawProof {
      * Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of
      * every name costs.
      */
-    private boolean outweighs(LawLearner.Sentence sentence, Chosen name) {
+    private boolean outweighs(Sentence sentence, Chosen name) {
         double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
         return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
                 search.refinement().heldOut(name.fit()));

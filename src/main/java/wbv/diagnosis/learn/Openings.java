@@ -1,50 +1,160 @@
 package wbv.diagnosis.learn;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.law.LawAt;
+import wbv.body.law.Learned;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
 
 /**
- * Sentences with the first terms on one fit: whether a law may be one is asked before it is learned, and both begin with them. Threads may
- * share it.
+ * First terms of a law: those of a link's {@link Grammar} that promise most on a {@link Ground}, begun by free run, the best of them fitted to
+ * the end. Whether a law may be one is asked before it is learned, and both begin with them: what a ground shows is worked out once.
  */
 final class Openings {
 
-    private final Map<Asked, Opening> known = new ConcurrentHashMap<>();
+    /** Sentences that are begun by free run, and those of them that are fitted to the end. */
+    private static final int FITTED = 6;
+    private static final int POLISHED = 3;
+    /**
+     * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
+     * another place the right one came second to 125th along the motion as measured, and of the three that were begun among the first five
+     * after three steps of its free run.
+     */
+    private static final int BEGUN = 64;
+    /** Terms [1] of a sentence that are begun together: effort, since of two thousand terms the pairs can still all be scored. */
+    private static final int FIRST = 2;
 
-    /** A ground, itself and equal to no copy. */
-    private record Asked(int link, Object ground) {}
+    private final Evidence evidence;
+    private final Search search;
+    private final Fitter.State base;
+    private final LawFits fits;
+    private final Weighing weighing;
+    private final boolean correction;
+
+    /** @param base on which all laws stand */
+    Openings(Evidence evidence, Search search, Fitter.State base, LawFits fits, Weighing weighing) {
+        this.evidence = evidence;
+        this.search = search;
+        this.base = base;
+        this.fits = fits;
+        this.weighing = weighing;
+        this.correction = !base.candidate().added().isEmpty();
+    }
+
+    /** What a ground shows in a link; a ground is itself, or equal numbers. */
+    private record Asked(Fitter.State base, int link, Object ground) {}
 
     /**
-     * What was found from one ground or two.
+     * Sentences of a link with the first terms, of one and of two.
      *
-     * @param likely forms of the terms that gained most from the last of them
+     * @param x the model's numbers with which they are scored, coordinates [1], one a knob
+     * @param than what is known without a law
      */
-    record Opening(List<LawLearner.Sentence> sentences, List<String> likely) {
-
-        Opening {
-            sentences = List.copyOf(sentences);
-            likely = List.copyOf(likely);
+    Opening of(int link, double[] x, Fitter.State than) {
+        boolean named = !than.candidate().added().isEmpty() && !correction && Refinement.explainsNearlyAll(base, than);
+        Opening first = named ? along(link, than) : asMeasured(link, x);
+        if (correction || first.sentences().isEmpty()) {
+            return first;
         }
+        Sentence best = weighing.best(first.sentences());
+        boolean enough = best.fit().reduced() <= Refinement.SILENT || best.isHopelessBeside(than);
+        return enough ? first : first.and(along(link, best.fit()));
+    }
 
-        /** With what was found later. */
-        Opening and(Opening later) {
-            return new Opening(Stream.concat(sentences.stream(), later.sentences.stream()).toList(), later.likely);
-        }
+    private Opening asMeasured(int link, double[] x) {
+        return once(link, Arrays.stream(x).boxed().toList(),
+                () -> opened(Ground.asMeasured(evidence, base.candidate(), x, BEGUN), link, FIRST, term -> true));
+    }
+
+    private Opening along(int link, Fitter.State fit) {
+        return once(link, fit, () -> opened(Ground.along(evidence, base.candidate(), fit, BEGUN / 2), link, FIRST, term -> true));
+    }
+
+    private Opening once(int link, Object ground, Supplier<Opening> find) {
+        return evidence.known().once(new Asked(base, link, ground), Opening.class, find);
     }
 
     /**
-     * What a ground shows in a link.
+     * One more term on top of a sentence.
      *
-     * @param ground told by being the same object, or equal to it
-     * @param find works it out if nobody asked
+     * @param likely forms of those that are tried
      */
-    Opening once(int link, Object ground, Supplier<Opening> find) {
-        Asked asked = new Asked(link, ground);
-        Opening opening = known.containsKey(asked) ? known.get(asked) : find.get();
-        known.put(asked, opening);
-        return opening;
+    List<Sentence> beside(Sentence sentence, int link, List<String> likely) {
+        return opened(Ground.beside(evidence, base, sentence.fit()), link, 1, term -> likely.contains(term.form())).sentences();
+    }
+
+    /**
+     * Tables in place of a formula.
+     *
+     * @param x the model's numbers with which they are scored, coordinates [1], one a knob
+     */
+    List<Sentence> tables(int link, double[] x) {
+        return opened(Ground.asMeasured(evidence, base.candidate(), x, 0), link, 1, Grammar::tables, term -> true).sentences();
+    }
+
+    /** The most promising laws, or terms beside a law, fitted by free run. */
+    private Opening opened(Ground ground, int link, int most, Predicate<Hypothesis> open) {
+        List<Learned> known = ground.on().at(ground.x()).laws().stream().map(LawAt::law).filter(Learned.class::isInstance)
+                .map(Learned.class::cast).toList();
+        return opened(ground, link, most, grammar -> grammar.terms(known), open);
+    }
+
+    /** @param words of the grammar */
+    private Opening opened(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
+            Predicate<Hypothesis> open) {
+        Fitter fitter = search.fitter();
+        Fitter.State scored = fitter.lookWithSlopes(ground.on(), ground.x(), base.frame());
+        if (scored.failed()) {
+            return Opening.NONE;
+        }
+        Assembly assembly = ground.on().at(ground.x());
+        Motion motion = ground.motion();
+        ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), motion);
+        Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
+        List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
+        Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
+        List<Sentences.Proposal> kin = sentences.of(
+                terms.stream().filter(term -> ground.kin().contains(Grammar.modulator(term))).toList(), 1, term -> Optional.empty());
+        // What does not pay for its choice and its numbers to first order is not begun.
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
+                .toList();
+        List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
+                .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
+        List<Fitter.State> finalists = new ArrayList<>(
+                first(Parallel.map(proposals, proposal -> LawFits.begun(fitter, scored, sentences, proposal)), terms.size()));
+        // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
+        if (!correction && Refinement.bent(base)) {
+            List<Sentences.Proposal> many = all.stream().filter(proposal -> proposal.terms().size() == 1)
+                    .filter(proposal -> kin.stream().noneMatch(each -> each.kind().equals(proposal.kind()))).limit(ground.begun())
+                    .collect(Collectors.toCollection(() -> new ArrayList<>(kin)));
+            finalists.addAll(first(fits.begunInPart(scored, sentences, many), terms.size()));
+        }
+        return new Opening(
+                Parallel.map(finalists, fits::settled).stream().filter(state -> !state.failed())
+                        .map(state -> weighing.begun(state, terms.size()))
+                        .toList(),
+                sentences.likely().stream().map(Hypothesis::form).toList());
+    }
+
+    /** The most evident of some fits that were begun. */
+    private List<Fitter.State> first(List<Fitter.State> states, int of) {
+        return weighing.of(states.stream().filter(state -> !state.failed()).map(state -> weighing.begun(state, of)).toList()).stream()
+                .limit(POLISHED)
+                .map(Sentence::fit).toList();
     }
 }

@@ -211,7 +211,7 @@ final class Sentences {
         double degrees = state.frame().whitening().degrees();
         double unit = Math.max(1, (state.square() - gain) / degrees);
         return new Proposal(chosen.stream().map(Column::term).toList(), values, strength[0], strength[1],
-                gain / (2 * unit) - LawLearner.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
+                gain / (2 * unit) - Sentence.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
     }
 
     /**

@@ -53,11 +53,16 @@ public final class Locator {
     /**
      * All places one by one, best first; none with a single output, where every place explains everything.
      *
-     * @param x where fits start: coordinates [1], one a knob. Not modified.
+     * @param x where fits start: coordinates [1], one a knob, told by being the same array: kept and not modified.
      */
     public List<Known.Ignoring> singles(double[] x) {
-        return evidence.known().places(baseline, x, () -> oneByOne(x));
+        return evidence.known().once(new At(baseline, x), Singles.class, () -> new Singles(oneByOne(x))).found();
     }
+
+    /** A model at coordinates [1], which are themselves and equal to no copy. */
+    private record At(Candidate on, double[] x) {}
+
+    private record Singles(List<Known.Ignoring> found) {}
 
     /**
      * Some places one by one, best first; none with a single output.

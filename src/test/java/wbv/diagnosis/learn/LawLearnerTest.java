@@ -75,8 +75,8 @@ public class LawLearnerTest {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
-        List<LawLearner.Sentence> sentences = learner.sentences(base);
-        LawLearner.Sentence best = learner.law(sentences, Chosen.single(base)).orElseThrow();
+        List<Sentence> sentences = learner.sentences(base);
+        Sentence best = learner.law(sentences, Chosen.single(base)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         List<Learned> terms = best.fit().candidate().at(best.fit().x()).laws().stream().map(at -> (Learned) at.law()).toList();
         assertEquals(1, terms.size(), found);
@@ -129,7 +129,7 @@ public class LawLearnerTest {
         Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
         assertTrue(LawProof.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
         LawLearner learner = new LawLearner(evidence, search, named, List.of());
-        LawLearner.Sentence best = learner.law(learner.sentences(named), Chosen.single(named)).orElseThrow();
+        Sentence best = learner.law(learner.sentences(named), Chosen.single(named)).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         assertEquals(1, best.terms().size(), found);
         List<LearnedKnee> knees = best.fit().candidate().at(best.fit().x()).laws().stream().map(LawAt::law)
@@ -149,7 +149,7 @@ public class LawLearnerTest {
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         LawLearner learner = new LawLearner(evidence, search, base, List.of());
-        LawLearner.Sentence best = learner.law(learner.tables(), Chosen.single(base)).orElseThrow();
+        Sentence best = learner.law(learner.tables(), Chosen.single(base)).orElseThrow();
         assertEquals("table over r", best.terms().get(0).form());
         assertEquals("platform-torso", best.terms().get(0).where());
         assertTrue(best.fit().reduced() < 0.2 * base.reduced(), base.reduced() + " before, left " + best.fit().reduced());
