@@ -23,7 +23,8 @@ import wbv.diagnosis.search.Search;
 
 /**
  * First terms of a law: those of a link's {@link Grammar} that promise most on a {@link Ground}, begun by free run, the best of them
- * fitted to the end. Whether a law may be one is asked before it is learned, and both begin with them: what a ground shows is worked out once.
+ * fitted to the end. Whether a law may be one is asked before it is learned, and both begin with them: what a ground shows is worked out
+ * once.
  */
 final class Openings {
 
