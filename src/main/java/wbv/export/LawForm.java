@@ -208,6 +208,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     remembered = max(-slip_m, min(slip_m, memory + r - r_before))
                     force = sliding_share * k * (remembered - r)
                     """),
+            Map.entry("JenkinsElement", """
+                    remembered = max(-slip_m, min(slip_m, memory + r - r_before))
+                    force = sticking_N_per_m * remembered
+                    """),
             Map.entry("ContactLoss", "force = min(0, preload_N - k * r - c * v)"),
             Map.entry("RoundedContactLoss", """
                     pull = k * r + c * v - preload_N
@@ -293,6 +297,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     rate = memory > slip_m ? min(0, v) : (memory < -slip_m ? max(0, v) : v)
                     force = sliding_share * k * (memory - r)
                     """;
+            case "JenkinsElement" -> """
+                    rate = memory > slip_m ? min(0, v) : (memory < -slip_m ? max(0, v) : v)
+                    force = sticking_N_per_m * memory
+                    """;
             case "StepChange" -> """
                     share = t < time_s ? 0 : 1
                     force = share * ((stiffness_factor - 1) * k * r + (damping_factor - 1) * c * v)
@@ -314,6 +322,7 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
     private static String start(Law law) {
         return switch (law.getClass().getSimpleName()) {
             case "BristleFriction" -> "max(-breakaway_N, min(breakaway_N, force)) / bristle_N_per_m";
+            case "JenkinsElement" -> "max(-slip_m, min(slip_m, force / sticking_N_per_m))";
             case "EngagingFriction" ->
                 "(force < 0 ? -1 : 1) * engagement_m * log1p(min(1, abs(force) / max(force > 0 ? extension_friction_N : "
                         + "compression_friction_N, 1e-9)) * expm1(growth)) / growth";

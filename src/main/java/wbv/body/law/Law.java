@@ -11,7 +11,7 @@ import wbv.body.number.Modulator;
 public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
-        BoucWen, Slider, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
+        BoucWen, Slider, JenkinsElement, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
         StepChange, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */

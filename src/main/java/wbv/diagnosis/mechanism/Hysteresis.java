@@ -6,9 +6,13 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import wbv.body.law.BoucWen;
+import wbv.body.law.JenkinsElement;
+import wbv.body.law.Law;
 import wbv.body.law.Slider;
+import wbv.body.number.Numbers;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
@@ -23,6 +27,10 @@ public record Hysteresis() implements Mechanism {
     /** That of the one in the middle. */
     private static final double MIDDLE = Math.sqrt(SPAN);
     private static final String EACH = "share_of_each";
+    private static final String STICKING = "each_sticking_N_per_m";
+    /** Stiffness of each beside a spring, over that of the spring [1]: from what no ride shows to a spring that hardly moves before it slides. */
+    private static final double SOFTEST = 1e-4;
+    private static final double STIFFEST = 100;
 
     @Override
     public Entry entry() {
@@ -63,26 +71,50 @@ public record Hysteresis() implements Mechanism {
     }
 
     /**
-     * Equal shares of a spring that slide one after the other, from a least deflection to ten times that, as alike in the logarithm (Iwan
-     * 1966; the power law of Segalman 2005 with the exponent -1).
+     * The same beside a spring that keeps its stiffness.
+     *
+     * @param where  the link's name
+     * @param own stiffness of the spring [N/m]
+     * @param sticking what is added to it in all while nothing slides [N/m], from which to start
+     * @param yield deflection at which half of that slides [m], likewise
      */
+    public Hypothesis beside(int link, String where, double own, double sticking, double yield) {
+        return new Hypothesis(this, where, "gradual beside", sliders(link, new JenkinsElement(own / SLIDERS, 1e-3)),
+                List.of(factor(SOFTEST * own, STIFFEST * own).named(STICKING), factor(3e-5 / MIDDLE, 2e-2 / MIDDLE).named("first_slip_m")),
+                grid(new double[] {1, 0.5, 2}, q -> fixed(sticking / SLIDERS, q * yield / MIDDLE)));
+    }
+
     private Hypothesis gradual(int link, String where, Number first, List<Start> starts) {
-        List<Addition> additions = new ArrayList<>(List.of(new Addition.InLink(link, new Slider(0.1 / SLIDERS, 1e-3))));
+        return new Hypothesis(this, where, "gradual", sliders(link, new Slider(0.1 / SLIDERS, 1e-3)),
+                List.of(sum(0.1, 0, 1.0 / SLIDERS).named(EACH), first.named("first_slip_m")), starts);
+    }
+
+    /**
+     * Springs alike that slide one after the other, from a least deflection to ten times that, as alike in the logarithm (Iwan 1966; the
+     * power law of Segalman 2005 with the exponent -1).
+     *
+     * @param first whose second number is the deflection at which it slides
+     */
+    private static List<Addition> sliders(int link, Law first) {
+        List<Addition> out = new ArrayList<>(List.of(new Addition.InLink(link, first)));
         for (int i = 1; i < SLIDERS; i++) {
-            double factor = Math.pow(SPAN, i / (SLIDERS - 1.0));
-            additions.add(new Addition.AlikeInLink(link, new Slider(0.1 / SLIDERS, factor * 1e-3), List.of(1.0, factor)));
+            List<Double> factors = List.of(1.0, Math.pow(SPAN, i / (SLIDERS - 1.0)));
+            double[] numbers = Numbers.values((Record) first);
+            Arrays.setAll(numbers, n -> factors.get(n) * numbers[n]);
+            out.add(new Addition.AlikeInLink(link, (Law) Numbers.with((Record) first, numbers), factors));
         }
-        return new Hypothesis(this, where, "gradual", additions,
-                List.of(sum(0.1, 0, 1.0 / SLIDERS).named(EACH), first.named("first_slip_m")),
-                starts);
+        return out;
     }
 
     /** Of many sliders what yields in all, and where half of it does. */
     @Override
     public List<Told> told(List<Number> numbers) {
-        return numbers.get(0).key().equals(EACH)
-                ? List.of(Told.scaled("share", 0, SLIDERS), Told.scaled("yield_m", 1, MIDDLE))
-                : Mechanism.super.told(numbers);
+        Told yield = Told.scaled("yield_m", 1, MIDDLE);
+        return switch (numbers.get(0).key()) {
+            case EACH -> List.of(Told.scaled("share", 0, SLIDERS), yield);
+            case STICKING -> List.of(Told.scaled("sticking_N_per_m", 0, SLIDERS), yield);
+            default -> Mechanism.super.told(numbers);
+        };
     }
 
     @Override

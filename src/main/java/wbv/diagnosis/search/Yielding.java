@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import wbv.body.law.BoucWen;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.Law;
@@ -18,7 +19,8 @@ import wbv.diagnosis.mechanism.Hysteresis;
 /**
  * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
  * spring are a spring that yields early. Which of the two a link has, the form of the loop tells, once each is fitted as well as
- * it can be: from where the other stands, and hysteresis that comes little by little (Iwan, Journal of Applied Mechanics 1966).
+ * it can be: from where the other stands, and hysteresis that comes little by little (Iwan, Journal of Applied Mechanics 1966). The
+ * stiffness that a model gives its link is that of some amplitude: what slides is a part of it, or stands beside it.
  */
 final class Yielding {
 
@@ -57,7 +59,7 @@ final class Yielding {
             List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
                     stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})))
                     .orElse(List.of()));
-            out.addAll(gradual(fit, in.link(), stiffness, found[0], found[1]));
+            out.addAll(gradual(fit, in.link(), stiffness - hanging, hanging, found[1]));
             return out;
         }
         if (in.law() instanceof BristleFriction) {
@@ -67,7 +69,7 @@ final class Yielding {
             List<Fitter.State> out = new ArrayList<>(
                     of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
                             List.of(new double[] {share, yield}))).orElse(List.of()));
-            out.addAll(gradual(fit, in.link(), stiffness + hanging, share, yield));
+            out.addAll(gradual(fit, in.link(), stiffness, hanging, yield));
             return out;
         }
         return List.of();
@@ -79,9 +81,24 @@ final class Yielding {
                 && in.law().getClass() == law).findFirst();
     }
 
-    private List<Fitter.State> gradual(Fitter.State from, int link, double stiffness, double share, double yield) {
-        Hypothesis gradual = new Hysteresis().gradual(link, from.candidate().last().where(), share, yield);
-        return polished(from, link, stiffness, gradual, gradual.starts().stream().map(Hypothesis.Start::values).toList());
+    /**
+     * Hysteresis that comes little by little, as a part of a link's spring or beside it, whichever leaves the spring nearer to what it is
+     * said to be.
+     *
+     * @param sliding stiffness of the link where all that may slide does [N/m]
+     * @param hanging what is added while all of it sticks [N/m]
+     * @param yield deflection at which it slides [m]
+     */
+    private List<Fitter.State> gradual(Fitter.State from, int link, double sliding, double hanging, double yield) {
+        String where = from.candidate().last().where();
+        double sticking = sliding + hanging;
+        OptionalInt own = base.candidate().stiffness(link);
+        double given = own.isPresent() ? base.candidate().knobs().get(own.getAsInt()).value(0) : 0;
+        boolean beside = given * given <= sliding * sticking;
+        Hypothesis gradual = beside ? new Hysteresis().beside(link, where, Math.max(given, LEAST * hanging), hanging, yield)
+                : new Hysteresis().gradual(link, where, hanging / sticking, yield);
+        return polished(from, link, beside ? sliding : sticking, gradual,
+                gradual.starts().stream().map(Hypothesis.Start::values).toList());
     }
 
     /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */

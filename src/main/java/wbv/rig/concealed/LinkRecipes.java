@@ -68,8 +68,12 @@ final class LinkRecipes {
                     a -> new Lugre(k, c, a * force, (1.1 + 0.3 * half) * a * force, 0.3 * speed, a * force / ((0.03
                             + 0.03 * half) * travel)));
             case "hysteresis" -> {
-                double[] yield = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
-                yield law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> new Sliders(k, c, a, yield));
+                double[] late = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
+                double[] soon = {0.03 * travel, 0.07 * travel, 0.15 * travel, 0.35 * travel, 0.8 * travel};
+                yield half < 0.5
+                        ? law(0.05, 10, word, "five Jenkins sliders beside the spring", a -> Map.of("sticking_N_per_m", a * k),
+                                a -> new Sliders(k, c, a * k, soon))
+                        : law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> Sliders.partOf(k, c, a, late));
             }
             case "memory.viscoelastic" -> {
                 double tau = 0.02 + 0.05 * half;

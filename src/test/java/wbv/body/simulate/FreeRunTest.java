@@ -19,6 +19,7 @@ import wbv.body.law.ContactLoss;
 import wbv.body.law.CoulombFriction;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.EngagingFriction;
+import wbv.body.law.JenkinsElement;
 import wbv.body.law.Law;
 import wbv.body.law.LawAt;
 import wbv.body.law.LearnedInertance;
@@ -54,7 +55,8 @@ class FreeRunTest {
         return Stream.of(new SaturatingSpring(1e-3), new QuadraticSpring(2e6), new ProgressiveSpring(60000, 1e-3),
                 new PolynomialSpring(-2e6, 5e9), new EngagingFriction(60, 45, 6e-4, 2), new CubicSpring(-2e9), new CubicSpring(5e9),
                 new AsymmetricSpring(0.6), new QuadraticDamping(8000), new CoulombFriction(30, 1e-3),
-                new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new Slider(0.4, 8e-4), new ContactLoss(60),
+                new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new Slider(0.4, 8e-4), new JenkinsElement(3e4, 8e-4),
+                new ContactLoss(60),
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4),
                 new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5), new StepChange(1.2, 0.5, 0.7),
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),

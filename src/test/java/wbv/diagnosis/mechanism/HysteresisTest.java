@@ -46,10 +46,29 @@ class HysteresisTest {
         assertEquals(List.of("share", "yield_m"), gradual.kind().told(gradual).stream().map(Told::key).toList());
     }
 
+    /** What slides beside a spring is a part of the spring that is as much stiffer. */
+    @Test
+    void besideASpringIsAPartOfAStifferOne() {
+        double sticking = 3 * STIFFNESS;
+        Hypothesis beside = new Hysteresis().beside(0, "seat-pelvis", STIFFNESS, sticking, YIELD);
+        Hypothesis part = new Hysteresis().gradual(0, "seat-pelvis", sticking / (STIFFNESS + sticking), YIELD);
+        double[] r = IntStream.rangeClosed(0, 4 * STEPS).mapToDouble(j -> GREATEST * Math.sin(0.01 * j) * Math.cos(0.003 * j)).toArray();
+        double[] one = force(beside, STIFFNESS, r);
+        double[] other = force(part, STIFFNESS + sticking, r);
+        for (int j = 0; j < r.length; j++) {
+            assertEquals((STIFFNESS + sticking) * r[j] + other[j], STIFFNESS * r[j] + one[j], 1e-9 * STIFFNESS * GREATEST);
+        }
+        assertEquals(List.of("sticking_N_per_m", "yield_m"), beside.kind().told(beside).stream().map(Told::key).toList());
+    }
+
     private double[] force(double[] r) {
+        return force(gradual, STIFFNESS, r);
+    }
+
+    private static double[] force(Hypothesis hysteresis, double stiffness, double[] r) {
         double[] sum = new double[r.length];
-        for (Law law : gradual.laws(gradual.starts().get(0).values())) {
-            double[] own = law.series(r, new double[r.length], STIFFNESS, 0, 1e-3, new double[0]);
+        for (Law law : hysteresis.laws(hysteresis.starts().get(0).values())) {
+            double[] own = law.series(r, new double[r.length], stiffness, 0, 1e-3, new double[0]);
             Arrays.setAll(sum, j -> sum[j] + own[j]);
         }
         return sum;

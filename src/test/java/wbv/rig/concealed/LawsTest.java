@@ -47,7 +47,7 @@ class LawsTest {
     void aSliderLosesWhatItsLoopEncloses() {
         double yield = 4e-4;
         double amplitude = 1e-3;
-        Sliders sliders = new Sliders(K, 0, 0.3, new double[] {yield});
+        Sliders sliders = Sliders.partOf(K, 0, 0.3, new double[] {yield});
         double lost = 0;
         double last = 0;
         double before = 0;
