@@ -79,8 +79,17 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
 
     /** The knob of a link's stiffness; empty where the link has none. */
     public OptionalInt stiffness(int link) {
-        Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);
+        return knob(Slot.of(Slot.Kind.STIFFNESS, link));
+    }
+
+    private OptionalInt knob(Slot slot) {
         return IntStream.range(0, knobs.size()).filter(i -> knobs.get(i).slot().equals(slot)).findFirst();
+    }
+
+    /** What a number has before it is fitted, in its unit. */
+    double given(Slot slot) {
+        OptionalInt knob = knob(slot);
+        return knob.isPresent() ? knobs.get(knob.getAsInt()).reference() : template.values()[slot.index(template)];
     }
 
     /** Coordinates [1], one a knob, at which every knob stands at its reference, or at the nearest bound. */

@@ -154,7 +154,7 @@ public final class Fitter {
         // Where ways are free their errors take a run, which the look that follows needs too.
         Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, Sensitivities.NONE, Optional.empty())
                 : Optional.empty();
-        ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response))
+        ErrorShapes ways = ran.map(response -> WrongWay.of(excitation, candidate, x, () -> response))
                 .orElseGet(() -> new ErrorShapes(List.of(), List.of()));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {

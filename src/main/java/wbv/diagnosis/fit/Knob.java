@@ -69,6 +69,15 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
     }
 
+    /**
+     * The same of a number in a unit that is so many times smaller.
+     *
+     * @param factor [1]
+     */
+    public Knob scaled(double factor) {
+        return new Knob(name, slot, factor * reference, factor * unit, low, high, deviation, tied);
+    }
+
     /** With another number that goes with it. */
     Knob tied(Slot other, double factor) {
         return new Knob(name, slot, reference, unit, low, high, deviation,

@@ -30,7 +30,7 @@ public final class Readings {
                 run.outputs().length);
         double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();
-        ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), framed,
+        ErrorShapes all = small.and(WrongWay.of(evidence.whole(), state.candidate(), framed,
                 () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));
         double[] gain = new double[out.length];
         for (int i = 0; i < sizes.length; i++) {

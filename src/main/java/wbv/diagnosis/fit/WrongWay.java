@@ -3,7 +3,6 @@ package wbv.diagnosis.fit;
 import java.util.ArrayList;
 import java.util.function.Supplier;
 import wbv.body.Assembly;
-import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -36,7 +35,7 @@ final class WrongWay {
      * @param x of the candidate. Not modified.
      * @param ran what the candidate does there; asked only where ways are free
      */
-    static ErrorShapes of(Evidence evidence, Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
+    static ErrorShapes of(Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         int[] links = candidate.added().stream().flatMap(hypothesis -> hypothesis.additions().stream())
                 .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link())
@@ -59,9 +58,9 @@ final class WrongWay {
                 }
             }
             // What the link's own spring and dashpot give way to a law does not leave the link.
-            Model.Link given = evidence.model().links().get(link);
-            add(force, excitation.omega(), response.stretch()[link], assembly.structure().stiffness()[link] - given.stiffness(),
-                    assembly.structure().damping()[link] - given.damping());
+            double stiffness = assembly.structure().stiffness()[link] - candidate.given(Slot.of(Slot.Kind.STIFFNESS, link));
+            double damping = assembly.structure().damping()[link] - candidate.given(Slot.of(Slot.Kind.DAMPING, link));
+            add(force, excitation.omega(), response.stretch()[link], stiffness, damping);
             double[] series = excitation.series(swinging(excitation.omega(), force));
             double[][] way = linear.ofLinkForce(link);
             for (int o = 0; o < way.length; o++) {

@@ -94,9 +94,7 @@ public record MassScale(double factor, double deviation) {
     public Fitter.State applied(Fitter.State state) {
         Candidate old = state.candidate();
         Assembly template = applied(old.template());
-        List<Knob> knobs = old.knobs().stream().map(k -> scales(k, old.template())
-                ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k)
-                .toList();
+        List<Knob> knobs = old.knobs().stream().map(knob -> scales(knob, old.template()) ? knob.scaled(factor) : knob).toList();
         return new Fitter.State(new Candidate(template, knobs, old.added(), old.freeWays()), state.x(), state.cost(), state.square(),
                 state.raw(), state.errors(), state.slopes(), state.frame());
     }

@@ -1,0 +1,47 @@
+package wbv.diagnosis.search;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import wbv.body.law.LearnedTerm;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.learn.LawLearnerTest;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Hysteresis;
+
+/** Motion does not show the scale of masses and forces: at any scale the same is simulated, and read. */
+class MassScaleTest {
+
+    private static final double STIFFNESS = 40000;
+
+    private final Evidence evidence = new Evidence(LawLearnerTest.model(List.of()),
+            LawLearnerTest.recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)));
+
+    /** Of a law of many parts that have their numbers in common, whose force may go another way than the model's. */
+    @Test
+    void whatIsReadIsTheSameAtAnyScale() {
+        Hypothesis law = new Hysteresis().beside(0, "seat-torso", STIFFNESS, 3 * STIFFNESS, 2e-4);
+        Candidate baseline = Baseline.of(evidence);
+        Candidate with = baseline.with(law).withFreeWays();
+        double[] x = baseline.extended(baseline.start(), with, law, law.starts().get(0).values());
+        x[0] = 0.2;   // the link's own stiffness has moved, which is a part of what goes another way
+        Fitter fitter = new Fitter(evidence);
+        Fitter.State state = fitter.look(with, x, fitter.frame(with, x, evidence.fit()));
+        assertFalse(state.failed());
+        double[][] read = new Readings(evidence).of(state);
+        double[][] scaled = new Readings(evidence).of(new MassScale(1.3, 0.05).applied(state));
+        for (int o = 0; o < read.length; o++) {
+            assertArrayEquals(read[o], scaled[o], 1e-9);
+        }
+        assertTrue(state.errors().length > 0, "sensors err, and ways differ");
+    }
+}
