@@ -17,6 +17,7 @@ import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Search;
 
 /**
@@ -165,13 +166,24 @@ public final class LawLearner {
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     public boolean isOne(Fitter.State name) {
         List<Sentence> all = new ArrayList<>();
-        for (int link : links()) {
+        for (int link : links().stream().filter(each -> mayBeOne(each, name)).toList()) {
             List<Sentence> single = openings.of(link, unbent(link), name).sentences().stream()
                     .filter(sentence -> sentence.terms().size() == 1).toList();
             all.addAll(single);
             all.addAll(single.isEmpty() ? single : limited(weighing.best(single), link));
         }
         return law(weighing.of(all).stream().limit(1).toList(), Chosen.single(name)).isPresent();
+    }
+
+    /**
+     * Whether whatever force in a link leaves little enough: no law there leaves less. Where a force is ignored, one residual in each
+     * sample goes with it, which a law may have left empty.
+     */
+    private boolean mayBeOne(int link, Fitter.State name) {
+        double shown = 1 - 1.0 / evidence.outputs().size();
+        Place place = new Place(Place.Kind.LINK, link);
+        return places.stream().filter(found -> found.places().get(0).equals(place))
+                .allMatch(found -> shown * found.reduced() - 1 < Priors.USUAL.carried() * (name.reduced() - 1));
     }
 
     /**

@@ -189,9 +189,12 @@ public final class Search {
         return best.or(() -> credible(leaders).stream().filter(fit -> !extreme(fit)).findFirst());
     }
 
-    /** The first few fits, if there are two or more that fit about as well, so that the model's own numbers may decide between them. */
+    /**
+     * The first few fits, if there are two or more that fit about as well, so that the model's own numbers may decide between them where
+     * they were given, see {@link OddLink}.
+     */
     private List<Fitter.State> rivals(List<Fitter.State> leaders) {
-        int near = evidence.onRig() ? 0 : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
+        int near = evidence.onRig() || evidence.standsForSimulation() ? 0 : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
         return leaders.subList(0, near < 2 ? 0 : near);
     }
 
