@@ -18,8 +18,8 @@ public sealed interface SensorFault {
      * @param seconds length of the recording [s]
      */
     default Optional<SensorFault> filter(double seconds) {
-        if (this instanceof Delay delay) {
-            return Optional.of(new Delay(delay.delay() + delay.drift() * seconds / 2, 0));
+        if (this instanceof Late late) {
+            return Optional.of(new Delay(late.mean(seconds), 0));
         }
         return this instanceof MountResonance || this instanceof AcCoupling || this instanceof Gain ? Optional.of(this) : Optional.empty();
     }
@@ -124,26 +124,100 @@ public sealed interface SensorFault {
         }
     }
 
+    /** Samples are late. */
+    sealed interface Late extends SensorFault {
+
+        /**
+         * By how much [s].
+         *
+         * @param t since the recording began [s]
+         */
+        double at(double t);
+
+        /**
+         * By how much on average [s].
+         *
+         * @param seconds length of the recording [s]
+         */
+        double mean(double seconds);
+
+        /** Whether not always by as much. */
+        boolean varies();
+
+        @Override
+        default String mechanism() {
+            return "sensor.delay";
+        }
+    }
+
     /**
      * Samples are late, and later and later where the sensor's clock runs slow.
      *
      * @param delay [s]
      * @param drift [s/s]
      */
-    record Delay(@Key("delay_s") double delay, @Key("drift_s_per_s") double drift) implements SensorFault {
+    record Delay(@Key("delay_s") double delay, @Key("drift_s_per_s") double drift) implements Late {
         public Delay {
             Check.finite("delay", "s", delay);
             Check.within("clock drift", "s/s", drift, -0.01, 0.01);
         }
 
-        /** Whether the clock runs off by more than a second in ten years, which no recording shows. */
-        public boolean drifts() {
-            return Math.abs(drift) > 3e-9;
+        @Override
+        public double at(double t) {
+            return delay + drift * t;
         }
 
         @Override
-        public String mechanism() {
-            return "sensor.delay";
+        public double mean(double seconds) {
+            return at(seconds / 2);
+        }
+
+        /** Whether the clock runs off by more than a second in ten years, which no recording shows. */
+        @Override
+        public boolean varies() {
+            return Math.abs(drift) > 3e-9;
+        }
+    }
+
+    /**
+     * Samples are late by what comes and goes, as where a clock is set right from time to time or a link is busy now and then: d + a cos ωt
+     * + b sin ωt.
+     *
+     * @param delay d [s]
+     * @param cosine a [s]
+     * @param sine b [s]
+     * @param frequency ω/2π [Hz], &gt; 0
+     */
+    record WanderingDelay(@Key("delay_s") double delay, @Key("cosine_s") double cosine, @Key("sine_s") double sine,
+            @Key("wander_hz") double frequency) implements Late {
+
+        public WanderingDelay {
+            Check.finite("delay", "s", delay);
+            Check.finite("cosine of the delay", "s", cosine);
+            Check.finite("sine of the delay", "s", sine);
+            Check.positive("frequency at which a delay wanders", "Hz", frequency);
+        }
+
+        @Override
+        public double at(double t) {
+            double phase = 2 * Math.PI * frequency * t;
+            return delay + cosine * Math.cos(phase) + sine * Math.sin(phase);
+        }
+
+        /** {@inheritDoc} Whole periods. */
+        @Override
+        public double mean(double seconds) {
+            return delay;
+        }
+
+        @Override
+        public boolean varies() {
+            return true;
+        }
+
+        /** The least it ever is [s]. */
+        public double least() {
+            return delay - Math.hypot(cosine, sine);
         }
     }
 

@@ -139,10 +139,10 @@ final class CSource {
         define("PARAMETERS", parameters.size());
         define("MOUNTS", count(SensorFault.MountResonance.class) + count(SensorFault.StiffeningMount.class));
         define("COUPLINGS", count(SensorFault.AcCoupling.class));
-        define("DELAYS", count(SensorFault.Delay.class));
+        define("DELAYS", count(SensorFault.Late.class));
         define("DRIVEN", structure.held() ? 1 : 0);
         define("BASE_MOVES", model.base().sensor().isPresent() ? 1 : 0);
-        define("REMEMBERS", count(SensorFault.Delay.class) > 0 || assembly.laws().stream().anyMatch(at -> at.law().lateness() > 0) ? 1 : 0);
+        define("REMEMBERS", count(SensorFault.Late.class) > 0 || assembly.laws().stream().anyMatch(at -> at.law().lateness() > 0) ? 1 : 0);
     }
 
     private long count(Class<?> fault) {
@@ -325,6 +325,11 @@ final class CSource {
                             + p(own + "cubic_per_m2") + ", y, first);");
                 } else if (fault instanceof SensorFault.AcCoupling) {
                     line("    y = coupled(&s->couplings[" + coupling++ + "], s->h, " + p(own + "corner_hz") + ", y, first);");
+                } else if (fault instanceof SensorFault.WanderingDelay) {
+                    String phase = "(2 * PI * " + p(own + "wander_hz") + " * t)";
+                    line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], ("
+                            + p(own + "delay_s") + " + " + p(own + "cosine_s") + " * cos" + phase + " + " + p(own + "sine_s") + " * sin"
+                            + phase + ") / s->h, 0) : 0;");
                 } else if (fault instanceof SensorFault.Delay) {
                     line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], "
                             + p(own + "delay_s") + " / s->h, "

@@ -296,6 +296,11 @@ final class ModelicaText {
                     : "delay(" + y + ", " + own + "delay_s + " + own + "drift_s_per_s * time, " + own
                             + "delay_s + 36000 * " + own + "drift_s_per_s)";
         }
+        if (fault instanceof SensorFault.WanderingDelay late) {
+            String phase = "(2 * 3.141592653589793 * " + own + "wander_hz * time)";
+            return "delay(" + y + ", " + own + "delay_s + " + own + "cosine_s * cos" + phase + " + " + own + "sine_s * sin" + phase + ", "
+                    + (2 * late.delay() - late.least()) + ")";
+        }
         if (fault instanceof SensorFault.Gain) {
             return own + "factor * " + y;
         }

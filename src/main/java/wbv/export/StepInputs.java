@@ -108,10 +108,12 @@ record StepInputs(Map<String, String> units) {
             put(beside.channel(), out);
         } else if (fault instanceof SensorFault.LeverArm lever) {
             out.put(angularAcceleration(lever.rate()), "rad/s2");
-        } else if (fault instanceof SensorFault.Delay delay && (delay.delay() < 0 || delay.drift() < 0)) {
-            throw new DataFault("the sensor " + sensor + " reads early (delay " + delay.delay() + " s, drift " + delay.drift()
-                    + "): " + format + " steps forward and cannot look ahead; --to python can, or take that fault out");
-        }
+        } else
+            if (fault instanceof SensorFault.Delay delay && (delay.delay() < 0 || delay.drift() < 0)
+                    || fault instanceof SensorFault.WanderingDelay wandering && wandering.least() < 0) {
+                        throw new DataFault("the sensor " + sensor + " reads early (" + fault + "): " + format
+                                + " steps forward and cannot look ahead; --to python can, or take that fault out");
+                    }
     }
 
     static String lean(Channel upper, Channel lower) {

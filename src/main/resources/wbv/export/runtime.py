@@ -802,9 +802,20 @@ def delay(x, reading, delay_s, drift_s_per_s):
     """Samples are late, and later and later where the sensor's clock runs slow."""
     if abs(drift_s_per_s) <= 3e-9:
         return reading * np.exp(-1j * x.omega * delay_s)
+    return late_by(x, reading, lambda t: delay_s + drift_s_per_s * t)
+
+
+def wandering_delay(x, reading, delay_s, cosine_s, sine_s, wander_hz):
+    """Samples are late by what comes and goes."""
+    w = 2 * np.pi * wander_hz
+    return late_by(x, reading, lambda t: delay_s + cosine_s * np.cos(w * t) + sine_s * np.sin(w * t))
+
+
+def late_by(x, reading, late):
+    """What was there as much earlier as it is late, by cubic interpolation."""
     series = x.fine_series(reading)
     out = np.zeros(len(series))
-    at = np.arange(len(series)) - delay_s / x.step - drift_s_per_s * np.arange(len(series))
+    at = np.arange(len(series)) - late(x.step * np.arange(len(series))) / x.step
     i = np.floor(at).astype(int)
     inside = np.flatnonzero((i >= 1) & (i + 2 < len(series)))
     u, i = at[inside] - i[inside], i[inside]

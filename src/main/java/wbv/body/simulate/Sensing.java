@@ -78,8 +78,8 @@ final class Sensing {
         if (fault instanceof SensorFault.StiffeningMount mount) {
             return ride(mount, reading, slopes, own);
         }
-        if (fault instanceof SensorFault.Delay delay && delay.drifts()) {
-            return warp(delay, reading, slopes, own);
+        if (fault instanceof SensorFault.Late late && late.varies()) {
+            return warp(late, reading, slopes, own);
         }
         double[] filter = filter(fault);
         for (int p = 0; p < slopes.length; p++) {
@@ -104,8 +104,8 @@ final class Sensing {
 
     private double[] shifted(SensorFault fault, double[] values, double[] reading) {
         SensorFault other = (SensorFault) Numbers.with((Record) fault, values);
-        return other instanceof SensorFault.Delay delay && delay.drifts()
-                ? warped(delay, reading) : add(other, Spectra.product(filter(other), reading));
+        return other instanceof SensorFault.Late late && late.varies()
+                ? warped(late, reading) : add(other, Spectra.product(filter(other), reading));
     }
 
     /** The frequency response by which the true reading is multiplied. */
@@ -233,32 +233,41 @@ final class Sensing {
         }
     }
 
-    private double[] warp(SensorFault.Delay delay, double[] reading, double[][] slopes, int own) {
+    private double[] warp(SensorFault.Late late, double[] reading, double[][] slopes, int own) {
         for (int p = 0; p < slopes.length; p++) {
-            slopes[p] = warped(delay, slopes[p]);
+            slopes[p] = warped(late, slopes[p]);
         }
-        if (slopes.length > 0) {
-            double[] slope = interpolated(delay, reading, true);
-            Spectra.add(slopes[own], excitation.spectrumOfFine(slope), 1);
-            for (int j = 0; j < slope.length; j++) {
-                slope[j] *= j * excitation.fineStep();
+        double[] values = Numbers.values((Record) late);
+        double[] slope = slopes.length > 0 ? interpolated(late, reading, true) : values;
+        for (int i = 0; i < values.length && slopes.length > 0; i++) {
+            double h = 1e-5 * Math.max(Math.abs(values[i]), 1e-3);
+            double kept = values[i];
+            values[i] = kept + h;
+            SensorFault.Late high = (SensorFault.Late) Numbers.with((Record) late, values);
+            values[i] = kept - h;
+            SensorFault.Late low = (SensorFault.Late) Numbers.with((Record) late, values);
+            values[i] = kept;
+            double[] part = slope.clone();
+            for (int j = 0; j < part.length; j++) {
+                double t = j * excitation.fineStep();
+                part[j] *= (high.at(t) - low.at(t)) / (2 * h);
             }
-            Spectra.add(slopes[own + 1], excitation.spectrumOfFine(slope), 1);
+            Spectra.add(slopes[own + i], excitation.spectrumOfFine(part), 1);
         }
-        return warped(delay, reading);
+        return warped(late, reading);
     }
 
-    private double[] warped(SensorFault.Delay delay, double[] reading) {
-        return excitation.spectrumOfFine(interpolated(delay, reading, false));
+    private double[] warped(SensorFault.Late late, double[] reading) {
+        return excitation.spectrumOfFine(interpolated(late, reading, false));
     }
 
-    /** x(t - delay - drift t) by cubic interpolation of the fine series, or the interpolant's derivative to the delay. */
-    private double[] interpolated(SensorFault.Delay delay, double[] reading, boolean slope) {
+    /** What was there as much earlier as it is late, by cubic interpolation of the fine series, or the interpolant's derivative to that. */
+    private double[] interpolated(SensorFault.Late late, double[] reading, boolean slope) {
         double step = excitation.fineStep();
         double[] x = excitation.fineSeries(reading);
         double[] y = new double[x.length];
         for (int j = 0; j < x.length; j++) {
-            double at = j - delay.delay() / step - delay.drift() * j;
+            double at = j - late.at(j * step) / step;
             int i = (int) Math.floor(at);
             if (i >= 1 && i + 2 < x.length) {
                 double u = at - i;

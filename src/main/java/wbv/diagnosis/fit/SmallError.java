@@ -88,7 +88,7 @@ public record SmallError(Kind kind, int owner, String axis) {
     boolean isLike(SensorFault fault) {
         return switch (kind) {
             case GAIN -> fault instanceof SensorFault.Gain;
-            case DELAY -> fault instanceof SensorFault.Delay;
+            case DELAY -> fault instanceof SensorFault.Late;
             case TILT -> fault instanceof SensorFault.Misalignment || fault instanceof SensorFault.Turned;
             case ARM -> fault instanceof SensorFault.LeverArm;
             case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, WAY -> false;

@@ -320,6 +320,6 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     private static boolean byTheClock(Object physics) {
         return physics instanceof Learned law && law.byTheClock() || physics instanceof StepChange || physics instanceof SlowDrift
                 || physics instanceof Settling || physics instanceof Drive.Tone
-                || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
+                || physics instanceof SensorFault.WanderingDelay || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
     }
 }

@@ -1,7 +1,9 @@
 package wbv.diagnosis.mechanism;
 
+import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.Collections;
 import java.util.List;
@@ -13,11 +15,18 @@ import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
-/** A sensor that is late, always by as much or ever more. */
+/** A sensor that is late, always by as much, ever more, or by what comes and goes. */
 record SensorDelay() implements Mechanism {
 
     /** A drift of a clock that is held at none. */
     private static final double HELD = 1e-9;
+    /** How often a delay comes and goes [Hz]: less is a drift, more is scatter. */
+    private static final double SELDOM = 0.01;
+    private static final double OFTEN = 0.2;
+    /** Frequencies that are begun with, half of them apart at least: a minute tells a sixtieth of a hertz apart. */
+    private static final double[] WANDERING = {0.0125, 0.025, 0.0375, 0.05, 0.075, 0.1, 0.15};
+
+    private static final Number DELAY = sum(0.001, -0.2, 0.3);
 
     @Override
     public Entry entry() {
@@ -39,18 +48,25 @@ record SensorDelay() implements Mechanism {
         return device.get(0) != output ? List.of() : List.of(late(scene, device, new SensorFault.Delay(0.004, 0), HELD,
                 Stream.concat(Stream.of(Start.of(new double[] {0.004, 0}, new int[] {0})),
                         DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList()),
-                late(scene, device, new SensorFault.Delay(0, 1e-5), 0.005, List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
+                late(scene, device, new SensorFault.Delay(0, 1e-5), 0.005, List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))),
+                late(scene, device, new SensorFault.WanderingDelay(0.004, 0.001, 0.001, 0.05),
+                        List.of(DELAY, sum(0.001, -0.05, 0.05), sum(0.001, -0.05, 0.05), factor(SELDOM, OFTEN)),
+                        grid(WANDERING, hz -> Start.of(new double[] {0.004, 0.001, 0.001, hz}, new int[] {0}, new int[] {1},
+                                new int[] {2}))));
     }
 
     /**
      * @param device outputs of one clock
      * @param drift most of it [s/s]
      */
-    private Hypothesis late(Scene scene, List<Integer> device, SensorFault fault, double drift, List<Start> starts) {
-        List<Number> bounds = List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -drift, drift));
+    private Hypothesis late(Scene scene, List<Integer> device, SensorFault.Delay fault, double drift, List<Start> starts) {
+        return late(scene, device, fault, List.of(DELAY, sum(1e-5, -drift, drift)), starts);
+    }
+
+    private Hypothesis late(Scene scene, List<Integer> device, SensorFault fault, List<Number> bounds, List<Start> starts) {
         return device.size() == 1 ? Hypothesis.fault(this, scene, device.get(0), fault, bounds, starts)
                 : Hypothesis.fault(this, scene, device, Collections.nCopies(device.size(), fault),
-                        Collections.nCopies(device.size(), List.of(1.0, 1.0)), bounds, starts);
+                        Collections.nCopies(device.size(), Collections.nCopies(bounds.size(), 1.0)), bounds, starts);
     }
 
     /** The channel of a force that pushes. */
@@ -64,10 +80,13 @@ record SensorDelay() implements Mechanism {
                 .toList();
     }
 
-    /** Nothing is told of a clock that was not let drift. */
+    /** Of what comes and goes its size, whatever its phase; nothing of a clock that was not let drift. */
     @Override
     public List<Told> told(List<Number> numbers) {
         List<Told> all = Mechanism.super.told(numbers);
+        if (numbers.size() > 2) {
+            return List.of(all.get(0), Told.amplitude("wander_s", 1, 2), all.get(3));
+        }
         return numbers.size() > 1 && numbers.get(1).high() > HELD ? all : all.subList(0, 1);
     }
 

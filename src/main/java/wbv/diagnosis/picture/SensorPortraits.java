@@ -46,7 +46,7 @@ final class SensorPortraits {
 
     List<Portrait> of(SensorFault fault) {
         if (fault instanceof SensorFault.MountResonance || fault instanceof SensorFault.StiffeningMount
-                || fault instanceof SensorFault.AcCoupling || fault instanceof SensorFault.Delay) {
+                || fault instanceof SensorFault.AcCoupling || fault instanceof SensorFault.Late) {
             return response(true);
         }
         if (fault instanceof SensorFault.Misalignment tilt) {

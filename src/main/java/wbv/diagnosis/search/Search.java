@@ -194,7 +194,8 @@ public final class Search {
      * they were given, see {@link OddLink}.
      */
     private List<Fitter.State> rivals(List<Fitter.State> leaders) {
-        int near = evidence.onRig() || evidence.standsForSimulation() ? 0 : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
+        int near = evidence.onRig() || evidence.standsForSimulation() ? 0
+                : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
         return leaders.subList(0, near < 2 ? 0 : near);
     }
 

@@ -105,6 +105,7 @@ class SimulatorTest {
                         List.of(), List.of(torso, head)),
                 faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)),
                 faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.WanderingDelay(0.02, 0.004, -0.003, 0.15)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
                 faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.Turned(ACROSS, 0.1)),
                 faulty(new SensorFault.LeverArm(RATE, 0.04)),
