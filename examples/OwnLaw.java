@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.Random;
 import wbv.body.Assembly;
 import wbv.body.Model;
-import wbv.body.law.LawAt;
+import wbv.body.LawAt;
 import wbv.body.law.PolynomialSpring;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;

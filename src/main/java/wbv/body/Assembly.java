@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.number.Numbers;
 
 /**

@@ -13,7 +13,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
 import wbv.recording.Channel;
@@ -228,10 +227,24 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param mass [kg]
      * @param frequency of its own [Hz]
      * @param dampingRatio of its own [1], all &gt; 0
+     * @param cubic by how much its spring stiffens [1/m²], at least 0: its force is that of a linear one times 1 + cubic r²
      */
     public record HiddenMode(@Key("mass_kg") double mass, @Key("frequency_hz") double frequency,
-            @Key("damping_ratio") double dampingRatio) {
+            @Key("damping_ratio") double dampingRatio, @Key("cubic_per_m2") double cubic) {
+
+        /**
+         * On a linear spring.
+         *
+         * @param mass [kg]
+         * @param frequency [Hz]
+         * @param dampingRatio [1]
+         */
+        public HiddenMode(double mass, double frequency, double dampingRatio) {
+            this(mass, frequency, dampingRatio, 0);
+        }
+
         public HiddenMode {
+            Check.notNegative("stiffening of a hidden mode's spring", "1/m²", cubic);
             Check.positive("hidden mass", "kg", mass);
             Check.positive("hidden mode's frequency", "Hz", frequency);
             Check.positive("hidden mode's damping ratio", "1", dampingRatio);
@@ -568,6 +581,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         for (int i = 0; i < bodies.size(); i++) {
             int place = i;
             bodies.get(i).hidden().ifPresent(hidden -> {
+                if (hidden.cubic() > 0) {
+                    laws.add(new LawAt(ends.size(), Law.stiffening(hidden.cubic() * hidden.stiffness())));
+                }
                 ends.add(new int[] {place, mass.size()});
                 stiffness.add(hidden.stiffness());
                 damping.add(hidden.damping());

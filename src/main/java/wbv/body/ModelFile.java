@@ -11,7 +11,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -35,6 +34,7 @@ import wbv.recording.InputFile;
 /** Models as JSON ({@code model.json}): read with every mistake named by its place, written so that they read back the same. */
 public final class ModelFile {
 
+    private static final String STIFFENING = "cubic_per_m2";
     /** NaN is read as a number, so that the value that may not be one is named. */
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
@@ -94,7 +94,7 @@ public final class ModelFile {
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
             Optional<Model.HiddenMode> hidden = body.optional("hidden")
-                    .map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
+                    .map(h -> body.guard(() -> hidden(h)));
             boolean fixed = body.flag("fixed");
             boolean turns = body.has("inertia_kgm2");
             Optional<String> massOf = body.has("mass_of") ? Optional.of(body.text("mass_of")) : Optional.empty();
@@ -213,6 +213,12 @@ public final class ModelFile {
         throw at.fault("no " + word + " '" + mechanism + "' with the values " + given + "; values that belong together are " + known);
     }
 
+    private static Model.HiddenMode hidden(JsonPlace at) {
+        at.allow(Set.of("mass_kg", "frequency_hz", "damping_ratio", STIFFENING));
+        return new Model.HiddenMode(at.number("mass_kg"), at.number("frequency_hz"), at.number("damping_ratio"),
+                at.numberOr(STIFFENING, 0));
+    }
+
     private static Stream<Class<?>> records(Class<?> family) {
         return Arrays.stream(family.getPermittedSubclasses()).flatMap(type -> type.isRecord() ? Stream.of(type) : records(type));
     }
@@ -291,7 +297,13 @@ public final class ModelFile {
             putPoint(node, body.at());
             node.put("sensor", body.sensor().map(Channel::toString).orElse(null));
             addAll(node, "faults", "fault", body.faults());
-            body.hidden().ifPresent(hidden -> put(node.putObject("hidden"), hidden));
+            body.hidden().ifPresent(hidden -> {
+                ObjectNode rider = node.putObject("hidden");
+                put(rider, hidden);
+                if (hidden.cubic() == 0) {
+                    rider.remove(STIFFENING);
+                }
+            });
             addAll(node, "forces", "force", body.forces());
         }
         ArrayNode links = root.putArray("links");

@@ -189,7 +189,7 @@ public sealed interface SensorFault {
      * @param frequency ω/2π [Hz], &gt; 0
      */
     record WanderingDelay(@Key("delay_s") double delay, @Key("cosine_s") double cosine, @Key("sine_s") double sine,
-            @Key("wander_hz") double frequency) implements Late {
+            @Key("wandering_hz") double frequency) implements Late {
 
         public WanderingDelay {
             Check.finite("delay", "s", delay);

@@ -19,7 +19,7 @@ public record DisplayedNumber(String label, double factor, String unit) {
     private static final Map<String, DisplayedNumber> UNITS = units();
 
     /** Times that are fractions of a second. */
-    private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s", "twitch_s");
+    private static final Set<String> SHORT = Set.of("delay_s", "wander_s", "cosine_s", "sine_s", "relaxation_s", "twitch_s");
 
     private static final Map<String,
             String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
@@ -118,7 +118,7 @@ public record DisplayedNumber(String label, double factor, String unit) {
         put(out, "_N_per_m3", 1, "N/m³");
         put(out, "_N_per_m2", 1, "N/m²");
         put(out, "_Ns2_per_m2", 1, "N·s²/m²");
-        put(out, "_per_m2", 1e-6, "1/mm²");
+        put(out, "_per_m2", 1e-4, "1/cm²");
         put(out, "_Ns_per_m", 1, "N·s/m");
         put(out, "_N_per_m", 1e-3, "kN/m");
         put(out, "_Nm_per_rad3", 1, "N·m/rad³");

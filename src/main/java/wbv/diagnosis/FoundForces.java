@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import wbv.body.Assembly;
-import wbv.body.law.LawAt;
+import wbv.body.LawAt;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
@@ -32,6 +32,9 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
         }
         Map<String, double[]> newtons = new LinkedHashMap<>();
         for (int i = given; i < laws.size(); i++) {
+            if (laws.get(i).link() >= evidence.model().links().size()) {
+                continue;   // the spring of a hidden mass
+            }
             double[] force = whole.series(response.forces()[i]);
             double[] sum = newtons.computeIfAbsent(evidence.model().links().get(laws.get(i).link()).name(),
                     link -> new double[force.length]);
@@ -39,6 +42,6 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
         }
         double[] time = new double[evidence.recording().length()];
         Arrays.setAll(time, evidence.recording().clock()::time);
-        return Optional.of(new FoundForces(time, newtons));
+        return newtons.isEmpty() ? Optional.empty() : Optional.of(new FoundForces(time, newtons));
     }
 }

@@ -9,10 +9,10 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
 import wbv.body.number.Modulator;
 import wbv.recording.DataFault;
 
@@ -326,7 +326,7 @@ final class CSource {
                 } else if (fault instanceof SensorFault.AcCoupling) {
                     line("    y = coupled(&s->couplings[" + coupling++ + "], s->h, " + p(own + "corner_hz") + ", y, first);");
                 } else if (fault instanceof SensorFault.WanderingDelay) {
-                    String phase = "(2 * PI * " + p(own + "wander_hz") + " * t)";
+                    String phase = "(2 * PI * " + p(own + "wandering_hz") + " * t)";
                     line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], ("
                             + p(own + "delay_s") + " + " + p(own + "cosine_s") + " * cos" + phase + " + " + p(own + "sine_s") + " * sin"
                             + phase + ") / s->h, 0) : 0;");

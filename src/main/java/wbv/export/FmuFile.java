@@ -134,7 +134,7 @@ final class FmuFile {
                     "output", "continuous", Optional.empty(), "[" + output.quantity().unit() + "]");
         }
         int outputs = reference;
-        List<wbv.body.law.LawAt> laws = model.assembly().laws();
+        List<wbv.body.LawAt> laws = model.assembly().laws();
         for (int i = 0; i < laws.size(); i++) {
             variable(out, "law_" + i + ".force", reference++, "local", "continuous", Optional.empty(),
                     "[N] " + laws.get(i).law().mechanism() + " in " + Names.of(model).links().get(laws.get(i).link()));

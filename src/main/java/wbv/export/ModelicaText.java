@@ -11,11 +11,11 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.number.Modulator;
 import wbv.recording.DataFault;
 
@@ -297,7 +297,7 @@ final class ModelicaText {
                             + "delay_s + 36000 * " + own + "drift_s_per_s)";
         }
         if (fault instanceof SensorFault.WanderingDelay late) {
-            String phase = "(2 * 3.141592653589793 * " + own + "wander_hz * time)";
+            String phase = "(2 * 3.141592653589793 * " + own + "wandering_hz * time)";
             return "delay(" + y + ", " + own + "delay_s + " + own + "cosine_s * cos" + phase + " + " + own + "sine_s * sin" + phase + ", "
                     + (2 * late.delay() - late.least()) + ")";
         }

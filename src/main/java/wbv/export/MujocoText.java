@@ -2,10 +2,10 @@ package wbv.export;
 
 import java.util.List;
 import wbv.body.Assembly;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Structure;
 import wbv.body.law.Backlash;
-import wbv.body.law.LawAt;
 import wbv.body.law.LearnedInertance;
 import wbv.recording.DataFault;
 

@@ -9,10 +9,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
 import wbv.body.number.Key;
 import wbv.body.number.Modulator;
 

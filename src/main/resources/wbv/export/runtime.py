@@ -805,9 +805,9 @@ def delay(x, reading, delay_s, drift_s_per_s):
     return late_by(x, reading, lambda t: delay_s + drift_s_per_s * t)
 
 
-def wandering_delay(x, reading, delay_s, cosine_s, sine_s, wander_hz):
+def wandering_delay(x, reading, delay_s, cosine_s, sine_s, wandering_hz):
     """Samples are late by what comes and goes."""
-    w = 2 * np.pi * wander_hz
+    w = 2 * np.pi * wandering_hz
     return late_by(x, reading, lambda t: delay_s + cosine_s * np.cos(w * t) + sine_s * np.sin(w * t))
 
 

@@ -4,8 +4,8 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 
 /**
- * A spring beside the link's own that slides, a Jenkins element (several side by side, Iwan, Journal of Applied Mechanics 1966): h z, where z
- * follows r until it slips. Memory is z [m]. A {@link Slider} is the same as a part of the link's own spring.
+ * A spring beside the link's own that slides, a Jenkins element (several side by side, Iwan, Journal of Applied Mechanics 1966): h z, where
+ * z follows r until it slips. Memory is z [m]. A {@link Slider} is the same as a part of the link's own spring.
  *
  * @param stiffness h while it sticks [N/m], &gt; 0
  * @param slip deflection at which it slides [m], &gt; 0

@@ -14,6 +14,15 @@ public sealed interface Law permits
         BoucWen, Slider, JenkinsElement, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
         StepChange, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {
 
+    /**
+     * A spring that stiffens.
+     *
+     * @param cubic force over the cube of the deflection [N/m³], its only number
+     */
+    static Law stiffening(double cubic) {
+        return new CubicSpring(cubic);
+    }
+
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */
     String mechanism();
 

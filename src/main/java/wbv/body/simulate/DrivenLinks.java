@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.SensorFault;
 import wbv.body.Spectra;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
 import wbv.body.law.LinkMotion;
 import wbv.recording.DataFault;
 

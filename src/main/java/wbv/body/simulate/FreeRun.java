@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
+import wbv.body.LawAt;
 import wbv.body.Structure;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.law.LinkMotion;
 
 /**

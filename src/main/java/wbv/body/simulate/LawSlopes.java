@@ -1,7 +1,7 @@
 package wbv.body.simulate;
 
+import wbv.body.LawAt;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.law.LinkMotion;
 import wbv.body.number.Numbers;
 

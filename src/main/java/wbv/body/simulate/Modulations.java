@@ -2,8 +2,8 @@ package wbv.body.simulate;
 
 import java.util.Arrays;
 import java.util.List;
+import wbv.body.LawAt;
 import wbv.body.Spectra;
-import wbv.body.law.LawAt;
 import wbv.body.number.Modulator;
 import wbv.recording.Channel;
 

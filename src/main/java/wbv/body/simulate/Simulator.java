@@ -6,13 +6,13 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Plane;
 import wbv.body.Row;
 import wbv.body.SensorFault;
 import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.number.Numbers;
 
 /**

@@ -5,9 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
+import wbv.body.number.Numbers;
 
 /** The user's model with the values and additions of an assembly, in the format in which it came. */
 public final class Augmented {
@@ -34,7 +35,7 @@ public final class Augmented {
         for (int b = 0; b < model.bodies().size(); b++) {
             Model.Body body = model.bodies().get(b);
             bodies.add(body.completed(s.mass()[b], body.sensor().isPresent() ? assembly.outputs().get(output++).faults() : List.of(),
-                    hidden(model, s, b), drives(assembly, b, true)));
+                    hidden(model, assembly, b), drives(assembly, b, true)));
         }
         for (int l = 0; l < links.size(); l++) {
             Model.Link link = links.get(l);
@@ -70,12 +71,17 @@ public final class Augmented {
     }
 
     /** Bodies behind the model's own ride on the lower end of their link. */
-    private static Optional<Model.HiddenMode> hidden(Model model, Structure s, int body) {
+    private static Optional<Model.HiddenMode> hidden(Model model, Assembly assembly, int body) {
+        Structure s = assembly.structure();
         for (int l = model.links().size(); l < s.links(); l++) {
             if (s.from()[l] == body) {
                 double mass = s.mass()[s.to()[l]];
                 double omega = Math.sqrt(s.stiffness()[l] / mass);
-                return Optional.of(new Model.HiddenMode(mass, omega / (2 * Math.PI), s.damping()[l] / (2 * mass * omega)));
+                int link = l;
+                double cubic = assembly.laws().stream().filter(at -> at.link() == link)
+                        .mapToDouble(at -> Numbers.values((Record) at.law())[0]).sum();
+                return Optional.of(new Model.HiddenMode(mass, omega / (2 * Math.PI), s.damping()[l] / (2 * mass * omega),
+                        cubic / s.stiffness()[l]));
             }
         }
         return Optional.empty();

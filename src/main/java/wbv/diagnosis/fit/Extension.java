@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import wbv.body.Assembly;
+import wbv.body.LawAt;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
+import wbv.body.law.Law;
 import wbv.body.number.Numbers;
-import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /** A template and its knobs after an addition. */
 record Extension(Assembly template, List<Knob> knobs) {
@@ -54,6 +55,9 @@ record Extension(Assembly template, List<Knob> knobs) {
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.MASS, s.bodies() - 1)));
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.STIFFNESS, s.links() - 1)));
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.DAMPING, s.links() - 1)));
+                if (((Addition.Hidden) addition).mode().cubic() > 0) {
+                    all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.LAW, assembly.laws().size() - 1, 0)));
+                }
             }
         }
         return new Extension(assembly, all);
@@ -65,7 +69,11 @@ record Extension(Assembly template, List<Knob> knobs) {
         Structure larger = new Structure(append(s.from(), hidden.body()), append(s.to(), n),
                 append(s.stiffness(), hidden.mode().stiffness()), append(s.damping(), hidden.mode().damping()),
                 append(s.mass(), hidden.mode().mass()), s.held(), s.kinematics().riding(hidden.body()));
-        return new Assembly(larger, assembly.laws(), assembly.drives(), assembly.outputs());
+        List<LawAt> laws = new ArrayList<>(assembly.laws());
+        if (hidden.mode().cubic() > 0) {
+            laws.add(new LawAt(s.links(), Law.stiffening(hidden.mode().cubic() * hidden.mode().stiffness())));
+        }
+        return new Assembly(larger, laws, assembly.drives(), assembly.outputs());
     }
 
     private static int add(List<Knob> all, Hypothesis hypothesis, int next, Slot.Kind kind, int at, int fault, int count) {

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.LawAt;
 import wbv.body.Structure;
-import wbv.body.law.LawAt;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 

@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
-import wbv.body.law.LawAt;
+import wbv.body.LawAt;
 import wbv.body.law.Learned;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Evidence;

@@ -3,6 +3,7 @@ package wbv.diagnosis.mechanism;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -11,8 +12,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
-/** A mass on a spring and a dashpot on a body. Told by its frequency and damping ratio. */
-record HiddenMass() implements Mechanism {
+/** A mass on a spring, linear or stiffening, and a dashpot on a body. Told by its frequency and damping ratio. */
+public record HiddenMass() implements Mechanism {
 
     /** A hidden part of a sitter to start from, in parts of the model's mass, and its damping ratio. */
     private static final double SHARE = 0.006;
@@ -20,6 +21,11 @@ record HiddenMass() implements Mechanism {
     /** The same on a rig. */
     private static final double RIG_SHARE = 0.02;
     private static final double RIG_DAMPED = 0.1;
+    /** How much a spring stiffens [1/m²], to start from: by a tenth at 10 mm, 3 mm and 1 mm. */
+    private static final double[] STIFFENING = {1e3, 1e4, 1e5};
+    /** By a thousandth at 10 mm, and by as much as it is stiff at a third of a millimetre [1/m²]. */
+    private static final double LINEAR = 10;
+    private static final double STIFFEST = 1e7;
 
     @Override
     public Entry entry() {
@@ -61,6 +67,22 @@ record HiddenMass() implements Mechanism {
                 starts);
     }
 
+    /**
+     * The same mass on a spring that stiffens, as what hangs on tissue does.
+     *
+     * @param linear hypothesis of it
+     * @param found three long: mass [kg], stiffness [N/m] and damping [N s/m] of the linear one, from which to start. Not modified.
+     */
+    public Hypothesis stiffening(Hypothesis linear, double[] found) {
+        Addition.Hidden hidden = (Addition.Hidden) linear.additions().get(0);
+        double omega = Math.sqrt(found[1] / found[0]);
+        List<Number> numbers = new ArrayList<>(linear.numbers());
+        numbers.add(factor(LINEAR * found[1], STIFFEST * found[1]).named("k3_N_per_m3"));
+        Model.HiddenMode mode = new Model.HiddenMode(found[0], omega / (2 * Math.PI), found[2] / (2 * found[0] * omega), STIFFENING[0]);
+        return new Hypothesis(this, linear.where(), "stiffening", List.of(new Addition.Hidden(hidden.body(), mode)), numbers,
+                grid(STIFFENING, cubic -> Start.fixed(found[0], found[1], found[2], cubic * found[1])));
+    }
+
     private static Start start(Model.HiddenMode mode) {
         return Start.of(numbers(mode), new int[] {0, 1, 2});
     }
@@ -71,9 +93,14 @@ record HiddenMass() implements Mechanism {
 
     @Override
     public List<Told> told(List<Number> numbers) {
-        return List.of(Told.plain(numbers.get(0).key(), 0),
+        List<Told> told = new ArrayList<>(List.of(Told.plain(numbers.get(0).key(), 0),
                 Told.product("frequency_hz", new int[] {0, 1}, new double[] {-0.5, 0.5}, x -> Math.sqrt(x[1] / x[0]) / (2 * Math.PI)),
-                Told.product("damping_ratio", new int[] {0, 1, 2}, new double[] {-0.5, -0.5, 1}, x -> x[2] / (2 * Math.sqrt(x[1] * x[0]))));
+                Told.product("damping_ratio", new int[] {0, 1, 2}, new double[] {-0.5, -0.5, 1},
+                        x -> x[2] / (2 * Math.sqrt(x[1] * x[0])))));
+        if (numbers.size() > 3) {
+            told.add(Told.product("cubic_per_m2", new int[] {1, 3}, new double[] {-1, 1}, x -> x[1] / x[0]));
+        }
+        return told;
     }
 
     @Override

@@ -133,7 +133,7 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             }
         }
 
-        /** A hidden mass on a body; its numbers are mass, stiffness and damping. */
+        /** A hidden mass on a body; its numbers are mass, stiffness and damping, and of a spring that stiffens the cubic term. */
         record Hidden(int body, Model.HiddenMode mode) implements Addition {}
     }
 
@@ -284,7 +284,8 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** Whether naming it needs a free run: a law that is not linear. */
     public boolean runsFree() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear());
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear()
+                || a instanceof Addition.Hidden hidden && hidden.mode().cubic() > 0);
     }
 
     /** Whether it is a law in a link, linear or not: physics follows its formula only so far. */

@@ -28,7 +28,7 @@ public record Hysteresis() implements Mechanism {
     private static final double MIDDLE = Math.sqrt(SPAN);
     private static final String EACH = "share_of_each";
     private static final String STICKING = "each_sticking_N_per_m";
-    /** Stiffness of each beside a spring, over that of the spring [1]: from what no ride shows to a spring that hardly moves before it slides. */
+    /** Stiffness of each beside a spring, over that of the spring [1]: from what no ride shows to what hardly moves before it slides. */
     private static final double SOFTEST = 1e-4;
     private static final double STIFFEST = 100;
 

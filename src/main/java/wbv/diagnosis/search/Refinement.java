@@ -50,6 +50,7 @@ public final class Refinement {
     private static final double PROMISING = 0.3;
     private static final int GOING_ON = 16;
     private static final int BEGINNING = 4;
+    private static final int LAW_STEPS = 10;
     private static final double[] GAINS = {0, 0.8, -0.8};
 
     private final Evidence evidence;
@@ -287,6 +288,21 @@ public final class Refinement {
     public Fitter.State polish(Candidate candidate, double[] x) {
         Fitter.State once = polishedOnce(candidate, x);
         return polishedOnce(candidate, once.x());
+    }
+
+    /**
+     * The best of a hypothesis from some starts, polished; none if it fails.
+     *
+     * @param on what it is added to
+     * @param x coordinates of that [1], one a knob. Not modified.
+     * @param starts values of the hypothesis' numbers, each in its unit
+     */
+    List<Fitter.State> polished(Candidate on, Hypothesis hypothesis, double[] x, Fitter.Frame frame, List<double[]> starts) {
+        Candidate with = on.with(hypothesis);
+        Fitter.State best = Parallel
+                .map(starts, values -> fitter.fit(with, on.extended(x, with, hypothesis, values), frame, LAW_STEPS, 1e-3))
+                .stream().min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+        return best.failed() ? List.of() : List.of(polish(best));
     }
 
     /** The first steps from coordinates at which nothing was simulated yet, in the whitening of the model there. */

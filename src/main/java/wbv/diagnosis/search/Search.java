@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
@@ -140,11 +142,12 @@ public final class Search {
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!evidence.onRig() && !out.isEmpty()) {
-            Yielding yielding = new Yielding(evidence, refinement, all, base);
             double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
-            out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty())
-                    .findFirst()
-                    .ifPresent(out::addAll);
+            List<Fitter.State> first = out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).toList();
+            Yielding yielding = new Yielding(refinement, all, base);
+            StiffeningMass stiffening = new StiffeningMass(refinement, base);
+            Stream.<Function<Fitter.State, List<Fitter.State>>>of(yielding::rivals, stiffening::rivals)
+                    .forEach(rivals -> first.stream().map(rivals).filter(some -> !some.isEmpty()).findFirst().ifPresent(out::addAll));
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;

@@ -2,17 +2,13 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import wbv.body.law.BoucWen;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.Law;
-import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
 
@@ -29,16 +25,13 @@ final class Yielding {
     /** The most of a link's stiffness that becomes bristles: a link keeps some. */
     private static final double MOST = 0.97;
     private static final double LEAST = 1e-3;
-    private static final int STEPS = 10;
 
-    private final Fitter fitter;
     private final Refinement refinement;
     private final List<Hypothesis> all;
     private final Fitter.State base;
 
     /** @param all hypotheses on top of the base */
-    Yielding(Evidence evidence, Refinement refinement, List<Hypothesis> all, Fitter.State base) {
-        this.fitter = new Fitter(evidence);
+    Yielding(Refinement refinement, List<Hypothesis> all, Fitter.State base) {
         this.refinement = refinement;
         this.all = all;
         this.base = base;
@@ -103,12 +96,8 @@ final class Yielding {
 
     /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */
     private List<Fitter.State> polished(Fitter.State from, int link, double stiffness, Hypothesis hypothesis, List<double[]> starts) {
-        Candidate with = base.candidate().with(hypothesis);
         double[] x = Arrays.copyOf(from.x(), base.x().length);
         base.candidate().stiffness(link).ifPresent(own -> x[own] = base.candidate().knobs().get(own).coordinate(stiffness));
-        Fitter.State best = Parallel.map(starts,
-                values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3)).stream()
-                .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
-        return best.failed() ? List.of() : List.of(refinement.polish(best));
+        return refinement.polished(base.candidate(), hypothesis, x, from.frame(), starts);
     }
 }

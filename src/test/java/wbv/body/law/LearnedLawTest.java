@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Assembly;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.Spectra;

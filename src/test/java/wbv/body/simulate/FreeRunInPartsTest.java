@@ -7,10 +7,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import wbv.body.LawAt;
 import wbv.body.Structure;
 import wbv.body.law.CoulombFriction;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 
 /** A mass that only friction holds, in steps in which friction turns round. */
 class FreeRunInPartsTest {

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
-import wbv.body.law.LawAt;
 import wbv.body.law.Learned;
 import wbv.body.law.LearnedInertance;
 import wbv.body.law.LearnedKnee;
@@ -172,6 +172,11 @@ public class LawLearnerTest {
     }
 
     private static Recording recording(List<Law> laws) {
+        return recording(model(laws));
+    }
+
+    /** The same of what it is made of. */
+    public static Recording recording(Model model) {
         int n = (int) (SECONDS * RATE);
         Random random = new Random(11);
         double[] base = new double[n];
@@ -188,7 +193,6 @@ public class LawLearnerTest {
         double mean = Arrays.stream(base).average().orElseThrow();
         Arrays.setAll(base, i -> base[i] - mean);
         Map<Channel, double[]> channels = new LinkedHashMap<>();
-        Model model = model(laws);
         double[][] outputs = new Simulator(new Excitation(RATE, base, Map.of(SWAY, sway))).outputs(model.assembly());
         channels.put(BASE, noisy(base, random));
         channels.put(SWAY, sway);

@@ -30,8 +30,9 @@ public final class Sliders implements LinkPhysics {
      * Parts of a spring hang on sliders.
      *
      * @param k of all of it [N/m]
+     * @param c [N s/m]
      * @param share of k on sliders, 0 to 1
-     * @param yield extension at which each gives way [m]. Not modified.
+     * @param yield extension at which each gives way [m], as long as there are sliders. Not modified.
      */
     public static Sliders partOf(double k, double c, double share, double[] yield) {
         return new Sliders((1 - share) * k, c, share * k, yield);

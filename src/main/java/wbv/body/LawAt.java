@@ -1,4 +1,6 @@
-package wbv.body.law;
+package wbv.body;
+
+import wbv.body.law.Law;
 
 /**
  * A law in a link of a structure.

@@ -1,0 +1,57 @@
+package wbv.diagnosis.search;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import wbv.body.Model;
+import wbv.diagnosis.fit.Augmented;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.learn.LawLearnerTest;
+import wbv.diagnosis.mechanism.HiddenMass;
+
+/** A mass that nobody sees, on a spring of either kind. */
+class StiffeningMassTest {
+
+    private static final double MASS = 6;
+    private static final double FREQUENCY = 4.5;
+    private static final double DAMPED = 0.1;
+
+    @Test
+    void aSpringThatStiffensIsFoundWithItsNumbers() {
+        Model.HiddenMode found = found(30000);
+        assertEquals(MASS, found.mass(), 0.1 * MASS);
+        assertEquals(FREQUENCY, found.frequency(), 0.02 * FREQUENCY);
+        assertEquals(DAMPED, found.dampingRatio(), 0.1 * DAMPED);
+        assertEquals(30000, found.cubic(), 3000);
+    }
+
+    @Test
+    void aLinearSpringStaysLinear() {
+        Model.HiddenMode found = found(0);
+        assertEquals(FREQUENCY, found.frequency(), 0.02 * FREQUENCY);
+        assertEquals(0, found.cubic());
+    }
+
+    private static Model.HiddenMode found(double cubic) {
+        Model model = LawLearnerTest.model(List.of());
+        Evidence evidence = new Evidence(model, LawLearnerTest.recording(riding(model, cubic)));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State base = search.base(Baseline.of(evidence));
+        Fitter.State best = search.best(base, hypothesis -> hypothesis.kind() instanceof HiddenMass).orElseThrow();
+        Model completed = Augmented.of(model, best.candidate().at(best.x()));
+        return completed.bodies().get(0).hidden().orElseThrow();
+    }
+
+    private static Model riding(Model model, double cubic) {
+        List<Model.Body> bodies = new ArrayList<>(model.bodies());
+        Model.Body torso = bodies.get(0);
+        bodies.set(0, torso.completed(torso.mass(), torso.faults(), Optional.of(new Model.HiddenMode(MASS, FREQUENCY, DAMPED, cubic)),
+                torso.forces()));
+        return new Model(model.name(), Optional.empty(), model.axis(), model.base(), bodies, model.links());
+    }
+}
