@@ -20,7 +20,7 @@ def in_mujoco(x, file, laws, modulators, drives, sensors):
             data.qvel[place] = force
         else:
             (body if kind == "body" else link_force)[place] += x.held(force)
-    series = [modulator(x, None) if modulator and not modulator.by_link else None for modulator in modulators]
+    series = [modulator(x, None) if modulator and not modulator.other else None for modulator in modulators]
     steps = [Step(law[0], h) for law in laws]
     past_r = [[0.0] for _ in laws]
     past_v = [[0.0] for _ in laws]

@@ -312,8 +312,7 @@ def run(x, linear_model, further, laws, modulators, drives, sensors):
     forces = []
     if laws:
         known = known_forces(x, drives)
-        modulation = modulations(x, linear, laws, modulators, known, q)
-        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, modulation)]
+        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, modulators)]
         for law, force in zip(laws, forces):
             linear.add_link_force(q, law[0], force)
     outputs = []
@@ -364,30 +363,13 @@ def known_forces(x, drives):
     return series
 
 
-def modulations(x, linear, laws, modulators, known, q):
-    """What each law is multiplied by, at the free run's points; twice more where one goes by another link, whose load it changes."""
-    def links(motion, forces):
-        def load(link):
-            moved = stretch(motion, link)
-            out = (STIFFNESS[link] + 1j * x.omega * DAMPING[link]) * moved
-            return out + sum(force for law, force in zip(laws, forces) if law[0] == link)
-        return {"load": load, "deflection": lambda link: stretch(motion, link),
-                "speed": lambda link: 1j * x.omega * stretch(motion, link)}
-
-    out = [modulator(x, links(q, [])) if modulator else None for modulator in modulators]
-    for _ in range(2 if any(modulator and modulator.by_link for modulator in modulators) else 0):
-        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, out)]
-        motion = q.copy()
-        for law, force in zip(laws, forces):
-            linear.add_link_force(motion, law[0], force)
-        out = [modulator(x, links(motion, forces)) if modulator else None for modulator in modulators]
-    return out
-
-
 class Modulator:
-    def __init__(self, of, by_link=False):
+    """What a law is multiplied by: a series, or a part of what another link does, which moves with the law within the step."""
+
+    def __init__(self, of, other=None, part=lambda whole: whole):
         self.of = of
-        self.by_link = by_link
+        self.other = other
+        self.part = part
 
     def __call__(self, x, links):
         return self.of(x, links)
@@ -430,12 +412,12 @@ def ride(seconds):
 
 def other_link(of, link):
     """Load, deflection or speed of another link."""
-    return Modulator(lambda x, links: x.fine_series(links[of](link)), True)
+    return Modulator(lambda x, links: x.fine_series(links[of](link)), (of, link))
 
 
 def part_of(part, modulator):
     of = {"magnitude": np.abs, "positive": lambda y: np.maximum(0, y), "negative": lambda y: np.maximum(0, -y)}[part]
-    return Modulator(lambda x, links: of(modulator(x, links)), modulator.by_link)
+    return Modulator(lambda x, links: of(modulator(x, links)), modulator.other, of)
 
 
 def centred(x, name):
@@ -497,11 +479,13 @@ def exact_hold(h):
     return w, zero, h * one @ b - after, after
 
 
-def free_run(x, linear, known, laws, modulation):
+def free_run(x, linear, known, laws, modulators):
     """Force of each law [N] at every point."""
     base = x.held(x.base)
     late = any(law[2] > 0 for law in laws)
-    way = FreeRun(x.step, laws, 0 if late or not x.forced else 3 if isinstance(linear, LinearFree) else 1)
+    modulation = [modulator(x, None) if modulator and not modulator.other else None for modulator in modulators]
+    others = [modulator if modulator and modulator.other else None for modulator in modulators]
+    way = FreeRun(x.step, laws, others, 0 if late or not x.forced else 3 if isinstance(linear, LinearFree) else 1)
     way.begin(len(base), True)
     for j in range(len(base) - 1):
         way.go(base, known, modulation, j, 0.0)
@@ -516,17 +500,31 @@ class FreeRun:
 
     PARTS = 8
 
-    def __init__(self, h, laws, divisions):
+    def __init__(self, h, laws, others, divisions):
         self.h = h
         self.laws = laws
-        self.finer = FreeRun(h / self.PARTS, laws, divisions - 1) if divisions > 0 else None
+        self.others = others
+        self.finer = FreeRun(h / self.PARTS, laws, others, divisions - 1) if divisions > 0 else None
         self.w, self.transition, self.before, self.after = exact_hold(h)
         m = len(laws)
         self.links = [law[0] for law in laws]
         effect = [self.after[:, 1 + link] for link in self.links]
         self.give = [[float(self.stretch_of(effect[j], self.links[i])) for j in range(m)] for i in range(m)]
         self.give_speed = [[float(self.speed_of(effect[j], self.links[i])) for j in range(m)] for i in range(m)]
+        self.give_other = [[float(self.whole_of(effect[j], i)) + self.carries(i, j) for j in range(m)] for i in range(m)]
         self.steps = [Step(link, h) for link in self.links]
+
+    def whole_of(self, state, i):
+        """What law i goes by of another link, but for the forces of laws in that; nothing where it goes by none."""
+        if not self.others[i]:
+            return 0.0
+        of, link = self.others[i].other
+        k, c = {"load": (STIFFNESS[link], DAMPING[link]), "deflection": (1, 0), "speed": (0, 1)}[of]
+        return k * self.stretch_of(state, link) + c * self.speed_of(state, link)
+
+    def carries(self, i, j):
+        """Whether law j acts in the link whose load law i goes by."""
+        return 1.0 if self.others[i] and self.others[i].other == ("load", self.links[j]) else 0.0
 
     def stretch_of(self, state, link):
         lower, upper = LINKS[link]
@@ -552,12 +550,14 @@ class FreeRun:
         share = at - floor
         return 0.0 if floor < 0 else series[floor] * (1 - share) + (series[floor + 1] * share if floor + 1 < index else 0)
 
-    def place(self, i, j, r, v, modulation, since):
+    def place(self, i, j, r, v, whole, modulation, since):
         step = self.steps[i]
         step.t = since + (j + 1) * self.h
         step.r_before = float(self.displacement[i, j])
         step.memory = self.memory[i]
         step.modulation = 1.0 if modulation[i] is None else float(modulation[i][j + 1])
+        if self.others[i]:
+            step.modulation = float(self.others[i].part(whole[i] + sum(self.give_other[i][k] * self.now[k] for k in range(len(r)))))
         step.r = r[i] + sum(self.give[i][k] * self.now[k] for k in range(len(r)))
         step.v = v[i] + sum(self.give_speed[i][k] * self.now[k] for k in range(len(r)))
         if self.laws[i][2] > 0:
@@ -586,12 +586,13 @@ class FreeRun:
         self.now, self.last = [2 * f - g for f, g in zip(self.now, self.last)], self.now
         r = [float(self.stretch_of(free, link)) for link in self.links]
         v = [float(self.speed_of(free, link)) for link in self.links]
+        whole = [float(self.whole_of(free, i)) for i in range(m)]
         for _ in range(1 if m == 1 else 40):
             moved = 0.0
             for i in range(m):
-                self.place(i, j, r, v, modulation, since)
+                self.place(i, j, r, v, whole, modulation, since)
                 kept = self.now[i]
-                self.now[i] = root(self.laws[i][1], self.steps[i], self.give[i][i], self.give_speed[i][i], kept)
+                self.now[i] = root(self.laws[i][1], self.steps[i], self.give[i][i], self.give_speed[i][i], kept, self.followed(i, whole))
                 moved = max(moved, abs(self.now[i] - kept) / (1 + abs(self.now[i])))
             if moved < 1e-12:
                 break
@@ -599,10 +600,17 @@ class FreeRun:
         for i in range(m):
             self.x = self.x + self.after[:, 1 + self.links[i]] * self.now[i]
         for i in range(m):
-            self.place(i, j, r, v, modulation, since)
+            self.place(i, j, r, v, whole, modulation, since)
             self.displacement[i, j + 1] = self.steps[i].r
             self.velocity[i, j + 1] = self.steps[i].v
             self.force[i, j + 1] = self.now[i]
+
+    def followed(self, i, whole):
+        """What law i is multiplied by where it has a force; none where that does not move with it."""
+        if not self.others[i]:
+            return None
+        rest = whole[i] + sum(self.give_other[i][k] * self.now[k] for k in range(len(whole)) if k != i)
+        return lambda f: float(self.others[i].part(rest + self.give_other[i][i] * f))
 
     def in_parts(self, old, earlier, base, known, modulation, j, since):
         part, count, m = self.finer, self.PARTS, len(self.laws)
@@ -630,14 +638,16 @@ class FreeRun:
                 self.force[i, 0] = 2 * first
 
 
-def root(law, step, give, give_speed, start):
-    """f = law(r + g (f - f0), v + h (f - f0)) by secants, now and then a Newton step, kept within a bracket."""
+def root(law, step, give, give_speed, start, followed=None):
+    """f = law(r + g (f - f0), v + h (f - f0)), times what another link does then, by secants, now and then a Newton step, kept within a bracket."""
     r = step.r - give * start
     v = step.v - give_speed * start
 
     def excess(f):
         step.r = r + give * f
         step.v = v + give_speed * f
+        if followed:
+            step.modulation = followed(f)
         return f - law(step)[0]
 
     f = start
