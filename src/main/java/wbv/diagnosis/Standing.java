@@ -82,9 +82,14 @@ final class Standing {
         return asFitted.likelier().map(other -> new Standing(fits.with(other), other.reduced())).orElse(asFitted);
     }
 
-    /** A single name that is likelier than the single one that was found, and stands at no bound that nothing real has. */
+    /**
+     * A single name that is likelier than what was found, and stands at no bound that nothing real has. Several together, which were
+     * weighed on data not used as well, give way to one only where they are no part of the answer.
+     */
     private Optional<Fitter.State> likelier() {
-        if (best.candidate().added().size() != 1) {
+        int parts = best.candidate().added().size();
+        DecisionRule.Reading reading = reading();
+        if (parts == 0 || parts > 1 && (reading.isUnknown() || reading.claims().contains(found()))) {
             return Optional.empty();
         }
         return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(Weight::isSingle).map(Weight::fit)

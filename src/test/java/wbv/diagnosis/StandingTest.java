@@ -126,6 +126,24 @@ class StandingTest {
                 && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
     }
 
+    /** Two that were found give way to one that leaves far less, and not to one that is less likely. */
+    @Test
+    void twoThatAreNoPartOfTheAnswerGiveWayToOne() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State other = leaving(1.1, mechanism("friction.coulomb"));
+        assertEquals(other, given(plain, 5, other).fits().best());
+        assertEquals(2, given(plain, 1.1, leaving(2.5, mechanism("friction.coulomb"))).fits().best().candidate().added().size());
+    }
+
+    /** @param left by two together */
+    private static Standing given(Fitter.State plain, double left, Fitter.State other) {
+        Candidate two = base.candidate().with(mechanism("stiffness.hardening").orElseThrow())
+                .with(mechanism("sensor.clipping").orElseThrow());
+        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), left * base.frame().whitening().degrees(), base.raw(),
+                base.errors(), base.slopes(), base.frame());
+        return Standing.of(new Fits(evidence, plain, plain, new Chosen(both, Math.log(50)), List.of(other)));
+    }
+
     /** Play fits a little better than hardening, but with a spring three times as stiff as given. */
     @Test
     void theModelsNumbersDecideBetweenWhatFitsAlike() {

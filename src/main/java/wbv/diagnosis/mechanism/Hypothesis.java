@@ -279,7 +279,12 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** {@code mechanism@where}, with the form if it has one. */
     public String name() {
-        return mechanism() + "@" + where + (form.isEmpty() ? "" : "[" + form + "]");
+        return claim() + (form.isEmpty() ? "" : "[" + form + "]");
+    }
+
+    /** {@code mechanism@where}, whatever its form. */
+    public String claim() {
+        return mechanism() + "@" + where;
     }
 
     /** Whether naming it needs a free run: a law that is not linear. */

@@ -130,9 +130,10 @@ public final class Search {
         Motion motion = new Motion(evidence, fitted);
         List<Hypothesis> all = evidence.library()
                 .hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
-        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
+        // In no form twice at one place.
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
-                .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList()).stream().filter(open).toList();
+                .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores, where).stream().filter(fit -> !fit.failed()).toList();
         // A rival far behind does not come up by polishing.
