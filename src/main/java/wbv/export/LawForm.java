@@ -167,6 +167,8 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     u = r / knee_m
                     force = k * r * (1 / sqrt(1 + u * u) - 1)
                     """),
+            Map.entry("GradualSaturation",
+                    "force = k * r * (pow(1 + pow(abs(r) / knee_m, sharpness), -1 / sharpness) - 1)"),
             Map.entry("ProgressiveSpring", "force = added_stiffness_N_per_m * r * r * r / (r * r + knee_m * knee_m)"),
             Map.entry("QuadraticSpring", "force = k2_N_per_m2 * r * r"),
             Map.entry("PolynomialSpring", "force = (k2_N_per_m2 + k3_N_per_m3 * r) * r * r"),

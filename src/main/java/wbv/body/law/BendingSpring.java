@@ -2,6 +2,7 @@ package wbv.body.law;
 
 import wbv.body.number.Check;
 import wbv.body.number.Key;
+import wbv.body.number.Rounded;
 
 /**
  * A spring stiffer or softer in compression whose stiffness changes over a width instead of at once.

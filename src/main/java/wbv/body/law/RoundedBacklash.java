@@ -2,6 +2,7 @@ package wbv.body.law;
 
 import wbv.body.number.Check;
 import wbv.body.number.Key;
+import wbv.body.number.Rounded;
 
 /**
  * Play whose ends are soft: the spring takes hold over the width of the edge instead of at once, and what is slack damps less.

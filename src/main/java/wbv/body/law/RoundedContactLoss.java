@@ -2,6 +2,7 @@ package wbv.body.law;
 
 import wbv.body.number.Check;
 import wbv.body.number.Key;
+import wbv.body.number.Rounded;
 
 /**
  * Contact that is lost, and found again, over a range of force instead of at once, as a soft seat lets go.

@@ -13,7 +13,7 @@ import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A mass on a spring, linear or stiffening, and a dashpot on a body. Told by its frequency and damping ratio. */
-public record HiddenMass() implements Mechanism {
+record HiddenMass() implements Mechanism {
 
     /** A hidden part of a sitter to start from, in parts of the model's mass, and its damping ratio. */
     private static final double SHARE = 0.006;
@@ -67,14 +67,14 @@ public record HiddenMass() implements Mechanism {
                 starts);
     }
 
-    /**
-     * The same mass on a spring that stiffens, as what hangs on tissue does.
-     *
-     * @param linear hypothesis of it
-     * @param found three long: mass [kg], stiffness [N/m] and damping [N s/m] of the linear one, from which to start. Not modified.
-     */
-    public Hypothesis stiffening(Hypothesis linear, double[] found) {
-        Addition.Hidden hidden = (Addition.Hidden) linear.additions().get(0);
+    /** The same mass on a spring that stiffens, as what hangs on tissue does. */
+    @Override
+    public Optional<Hypothesis> further(Hypothesis plain, double[] found) {
+        Addition.Hidden hidden = (Addition.Hidden) plain.additions().get(0);
+        return hidden.mode().cubic() > 0 ? Optional.empty() : Optional.of(stiffening(plain, hidden, found));
+    }
+
+    private Hypothesis stiffening(Hypothesis linear, Addition.Hidden hidden, double[] found) {
         double omega = Math.sqrt(found[1] / found[0]);
         List<Number> numbers = new ArrayList<>(linear.numbers());
         numbers.add(factor(LINEAR * found[1], STIFFEST * found[1]).named("k3_N_per_m3"));

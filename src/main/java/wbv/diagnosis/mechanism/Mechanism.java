@@ -64,6 +64,16 @@ public sealed interface Mechanism
         return Optional.empty();
     }
 
+    /**
+     * What it may be with a number more, to be begun where its plain form was found; empty where it has no such form.
+     *
+     * @param plain hypothesis of its
+     * @param found values of that one's numbers, one each, in its unit. Not modified.
+     */
+    default Optional<Hypothesis> further(Hypothesis plain, double[] found) {
+        return Optional.empty();
+    }
+
     /** Whether another hypothesis at its place is simpler, and preferred where both fit about equally. */
     default boolean yieldsTo(Hypothesis rival) {
         return false;

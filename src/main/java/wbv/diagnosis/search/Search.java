@@ -146,8 +146,8 @@ public final class Search {
             double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
             List<Fitter.State> first = out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).toList();
             Yielding yielding = new Yielding(refinement, all, base);
-            StiffeningMass stiffening = new StiffeningMass(refinement, base);
-            Stream.<Function<Fitter.State, List<Fitter.State>>>of(yielding::rivals, stiffening::rivals)
+            FurtherForm further = new FurtherForm(refinement, base);
+            Stream.<Function<Fitter.State, List<Fitter.State>>>of(yielding::rivals, further::rivals)
                     .forEach(rivals -> first.stream().map(rivals).filter(some -> !some.isEmpty()).findFirst().ifPresent(out::addAll));
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }

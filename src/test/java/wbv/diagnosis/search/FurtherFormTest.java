@@ -6,20 +6,24 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
+import wbv.body.law.GradualSaturation;
+import wbv.body.number.Numbers;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.learn.LawLearnerTest;
-import wbv.diagnosis.mechanism.HiddenMass;
 
-/** A mass that nobody sees, on a spring of either kind. */
-class StiffeningMassTest {
+/** A mass that nobody sees on a spring of either kind, and softening over bends of any width. */
+class FurtherFormTest {
 
     private static final double MASS = 6;
     private static final double FREQUENCY = 4.5;
     private static final double DAMPED = 0.1;
+    private static final double KNEE = 1.5e-3;
 
     @Test
     void aSpringThatStiffensIsFoundWithItsNumbers() {
@@ -37,12 +41,29 @@ class StiffeningMassTest {
         assertEquals(0, found.cubic());
     }
 
+    /** In softening of three widths, of which the plain form is the second: n, and the knee [m]. */
+    @ParameterizedTest
+    @CsvSource({"1.1, gradual", "2, ''", "5, gradual"})
+    void softeningIsFoundOverABendOfItsWidth(double sharpness, String form) {
+        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(new GradualSaturation(KNEE, sharpness)));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State base = search.base(Baseline.of(evidence));
+        Fitter.State best = search.best(base, hypothesis -> hypothesis.where().equals("platform-torso")
+                && hypothesis.mechanism().equals("stiffness.softening")).orElseThrow();
+        assertEquals(form, best.candidate().last().form());
+        double[] found = Numbers.values((Record) best.candidate().at(best.x()).laws().get(0).law());
+        assertEquals(KNEE, found[0], 0.1 * KNEE);
+        if (found.length > 1) {
+            assertEquals(sharpness, found[1], 0.15 * sharpness);
+        }
+    }
+
     private static Model.HiddenMode found(double cubic) {
         Model model = LawLearnerTest.model(List.of());
         Evidence evidence = new Evidence(model, LawLearnerTest.recording(riding(model, cubic)));
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
-        Fitter.State best = search.best(base, hypothesis -> hypothesis.kind() instanceof HiddenMass).orElseThrow();
+        Fitter.State best = search.best(base, hypothesis -> hypothesis.mechanism().equals("mode.hidden")).orElseThrow();
         Model completed = Augmented.of(model, best.candidate().at(best.x()));
         return completed.bodies().get(0).hidden().orElseThrow();
     }
