@@ -6,9 +6,10 @@ public final class Rounded {
     private Rounded() {}
 
     /**
-     * The greater of x and 0 with a round corner: nothing far below 0, x far above, a hyperbola over the width of the edge.
+     * The greater of x and 0 in the unit of x, with a round corner: nothing far below 0, x far above, a hyperbola over the width of the
+     * edge.
      *
-     * @param x in any unit
+     * @param x in whatever unit
      * @param edge in the unit of x
      */
     public static double ramp(double x, double edge) {

@@ -68,7 +68,7 @@ public sealed interface Mechanism
      * What it may be with a number more, to be begun where its plain form was found; empty where it has no such form.
      *
      * @param plain hypothesis of its
-     * @param found values of that one's numbers, one each, in its unit. Not modified.
+     * @param found values, as many as the plain one has numbers, each in its unit. Not modified.
      */
     default Optional<Hypothesis> further(Hypothesis plain, double[] found) {
         return Optional.empty();
