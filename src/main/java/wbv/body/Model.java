@@ -256,6 +256,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             return mass * omega * omega;
         }
 
+        /** What its spring has beside its stiffness; empty where it is linear. */
+        public Optional<Law> stiffening() {
+            return cubic > 0 ? Optional.of(Law.stiffening(cubic * stiffness())) : Optional.empty();
+        }
+
         /** Damping of its dashpot [N s/m]. */
         public double damping() {
             return 2 * dampingRatio * 2 * Math.PI * frequency * mass;
@@ -581,9 +586,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         for (int i = 0; i < bodies.size(); i++) {
             int place = i;
             bodies.get(i).hidden().ifPresent(hidden -> {
-                if (hidden.cubic() > 0) {
-                    laws.add(new LawAt(ends.size(), Law.stiffening(hidden.cubic() * hidden.stiffness())));
-                }
+                hidden.stiffening().ifPresent(law -> laws.add(new LawAt(ends.size(), law)));
                 ends.add(new int[] {place, mass.size()});
                 stiffness.add(hidden.stiffness());
                 damping.add(hidden.damping());

@@ -144,6 +144,9 @@ public sealed interface SensorFault {
         /** Whether not always by as much. */
         boolean varies();
 
+        /** Whether they are early at some time or other. */
+        boolean isEarly();
+
         @Override
         default String mechanism() {
             return "sensor.delay";
@@ -176,6 +179,11 @@ public sealed interface SensorFault {
         @Override
         public boolean varies() {
             return Math.abs(drift) > 3e-9;
+        }
+
+        @Override
+        public boolean isEarly() {
+            return delay < 0 || drift < 0;
         }
     }
 
@@ -215,9 +223,14 @@ public sealed interface SensorFault {
             return true;
         }
 
-        /** The least it ever is [s]. */
-        public double least() {
-            return delay - Math.hypot(cosine, sine);
+        @Override
+        public boolean isEarly() {
+            return delay < swing();
+        }
+
+        /** The most that comes and goes [s]. */
+        public double swing() {
+            return Math.hypot(cosine, sine);
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.simulate.Excitation;
@@ -24,17 +25,19 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
     static Optional<FoundForces> of(Diagnosis diagnosis, Evidence evidence, Fitter.State base, Fitter.State chosen) {
         Assembly assembly = chosen.candidate().at(chosen.x());
         List<LawAt> laws = assembly.laws();
-        int given = base.candidate().template().laws().size();
+        // Behind the model's own links hang hidden masses.
+        int[] found = IntStream.range(base.candidate().template().laws().size(), laws.size())
+                .filter(i -> laws.get(i).link() < evidence.model().links().size()).toArray();
+        if (found.length == 0) {
+            return Optional.empty();
+        }
         Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
         Simulator.Response response = new Simulator(whole).run(assembly, false);
-        if (laws.size() == given || response.diverged()) {
+        if (response.diverged()) {
             return Optional.empty();
         }
         Map<String, double[]> newtons = new LinkedHashMap<>();
-        for (int i = given; i < laws.size(); i++) {
-            if (laws.get(i).link() >= evidence.model().links().size()) {
-                continue;   // the spring of a hidden mass
-            }
+        for (int i : found) {
             double[] force = whole.series(response.forces()[i]);
             double[] sum = newtons.computeIfAbsent(evidence.model().links().get(laws.get(i).link()).name(),
                     link -> new double[force.length]);
@@ -42,6 +45,6 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
         }
         double[] time = new double[evidence.recording().length()];
         Arrays.setAll(time, evidence.recording().clock()::time);
-        return newtons.isEmpty() ? Optional.empty() : Optional.of(new FoundForces(time, newtons));
+        return Optional.of(new FoundForces(time, newtons));
     }
 }

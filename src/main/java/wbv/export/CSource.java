@@ -303,6 +303,12 @@ final class CSource {
         line("}\n\nstatic void launch(Model *s) {\n    (void) s;\n" + launched + "}\n");
     }
 
+    /** @param seconds and drift, expressions */
+    private void delayed(int late, String seconds, String drift) {
+        line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late + "], " + seconds + " / s->h, " + drift
+                + ") : 0;");
+    }
+
     private void sense() {
         line("/* What the sensors make of the true readings. */");
         line("static void sense(Model *s, const double *u, double t, int first, const double *reading) {");
@@ -327,13 +333,10 @@ final class CSource {
                     line("    y = coupled(&s->couplings[" + coupling++ + "], s->h, " + p(own + "corner_hz") + ", y, first);");
                 } else if (fault instanceof SensorFault.WanderingDelay) {
                     String phase = "(2 * PI * " + p(own + "wandering_hz") + " * t)";
-                    line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], ("
-                            + p(own + "delay_s") + " + " + p(own + "cosine_s") + " * cos" + phase + " + " + p(own + "sine_s") + " * sin"
-                            + phase + ") / s->h, 0) : 0;");
+                    delayed(late++, "(" + p(own + "delay_s") + " + " + p(own + "cosine_s") + " * cos" + phase + " + " + p(own + "sine_s")
+                            + " * sin" + phase + ")", "0");
                 } else if (fault instanceof SensorFault.Delay) {
-                    line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], "
-                            + p(own + "delay_s") + " / s->h, "
-                            + p(own + "drift_s_per_s") + ") : 0;");
+                    delayed(late++, p(own + "delay_s"), p(own + "drift_s_per_s"));
                 } else if (fault instanceof SensorFault.Beside beside) {
                     line("    y += " + u(beside.channel().toString()) + ";");
                 } else if (fault instanceof SensorFault.Gain) {

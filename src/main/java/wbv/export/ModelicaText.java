@@ -299,7 +299,7 @@ final class ModelicaText {
         if (fault instanceof SensorFault.WanderingDelay late) {
             String phase = "(2 * 3.141592653589793 * " + own + "wandering_hz * time)";
             return "delay(" + y + ", " + own + "delay_s + " + own + "cosine_s * cos" + phase + " + " + own + "sine_s * sin" + phase + ", "
-                    + (2 * late.delay() - late.least()) + ")";
+                    + (late.delay() + late.swing()) + ")";
         }
         if (fault instanceof SensorFault.Gain) {
             return own + "factor * " + y;

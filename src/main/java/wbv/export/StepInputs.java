@@ -4,11 +4,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.number.Modulator;
+import wbv.body.number.Numbers;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -108,12 +111,16 @@ record StepInputs(Map<String, String> units) {
             put(beside.channel(), out);
         } else if (fault instanceof SensorFault.LeverArm lever) {
             out.put(angularAcceleration(lever.rate()), "rad/s2");
-        } else
-            if (fault instanceof SensorFault.Delay delay && (delay.delay() < 0 || delay.drift() < 0)
-                    || fault instanceof SensorFault.WanderingDelay wandering && wandering.least() < 0) {
-                        throw new DataFault("the sensor " + sensor + " reads early (" + fault + "): " + format
-                                + " steps forward and cannot look ahead; --to python can, or take that fault out");
-                    }
+        } else if (fault instanceof SensorFault.Late late && late.isEarly()) {
+            throw new DataFault("the sensor " + sensor + " reads early (" + numbers(late) + "): " + format
+                    + " steps forward and cannot look ahead; --to python can, or take that fault out");
+        }
+    }
+
+    private static String numbers(SensorFault.Late late) {
+        double[] values = Numbers.values((Record) late);
+        List<String> keys = Numbers.keys(late.getClass());
+        return IntStream.range(0, values.length).mapToObj(i -> keys.get(i) + " " + values[i]).collect(Collectors.joining(", "));
     }
 
     static String lean(Channel upper, Channel lower) {

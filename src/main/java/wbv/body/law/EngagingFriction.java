@@ -42,7 +42,7 @@ public record EngagingFriction(@Key("extension_friction_N") double extension, @K
 
     @Override
     public double remember(LinkMotion m) {
-        return Math.max(-travel, Math.min(travel, m.memory + m.displacement - m.before));
+        return m.dragged(travel);
     }
 
     @Override

@@ -38,6 +38,6 @@ public record JenkinsElement(@Key("sticking_N_per_m") double stiffness, @Key("sl
 
     @Override
     public double remember(LinkMotion m) {
-        return Math.max(-slip, Math.min(slip, m.memory + m.displacement - m.before));
+        return m.dragged(slip);
     }
 }

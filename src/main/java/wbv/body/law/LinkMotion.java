@@ -29,6 +29,15 @@ public final class LinkMotion {
     public double lateVelocity;
 
     /**
+     * What follows the displacement and slips where it is stretched farther than that: a memory at the end of the step [m].
+     *
+     * @param most [m]
+     */
+    double dragged(double most) {
+        return Math.max(-most, Math.min(most, memory + displacement - before));
+    }
+
+    /**
      * A series between two samples, in its own unit, by a straight line; 0 before the first.
      *
      * @param series by sample, in any unit. Not modified.

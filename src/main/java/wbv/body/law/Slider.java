@@ -33,6 +33,6 @@ public record Slider(@Key("sliding_share") double share, @Key("slip_m") double s
 
     @Override
     public double remember(LinkMotion m) {
-        return Math.max(-slip, Math.min(slip, m.memory + m.displacement - m.before));
+        return m.dragged(slip);
     }
 }

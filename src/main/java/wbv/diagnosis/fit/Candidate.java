@@ -87,7 +87,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /** What a number has before it is fitted, in its unit. */
-    double given(Slot slot) {
+    public double given(Slot slot) {
         OptionalInt knob = knob(slot);
         return knob.isPresent() ? knobs.get(knob.getAsInt()).reference() : template.values()[slot.index(template)];
     }

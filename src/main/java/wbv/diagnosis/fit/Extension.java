@@ -7,7 +7,6 @@ import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
-import wbv.body.law.Law;
 import wbv.body.number.Numbers;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -55,7 +54,7 @@ record Extension(Assembly template, List<Knob> knobs) {
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.MASS, s.bodies() - 1)));
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.STIFFNESS, s.links() - 1)));
                 all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.DAMPING, s.links() - 1)));
-                if (((Addition.Hidden) addition).mode().cubic() > 0) {
+                if (((Addition.Hidden) addition).mode().stiffening().isPresent()) {
                     all.add(knob(hypothesis, next++, Slot.of(Slot.Kind.LAW, assembly.laws().size() - 1, 0)));
                 }
             }
@@ -70,9 +69,7 @@ record Extension(Assembly template, List<Knob> knobs) {
                 append(s.stiffness(), hidden.mode().stiffness()), append(s.damping(), hidden.mode().damping()),
                 append(s.mass(), hidden.mode().mass()), s.held(), s.kinematics().riding(hidden.body()));
         List<LawAt> laws = new ArrayList<>(assembly.laws());
-        if (hidden.mode().cubic() > 0) {
-            laws.add(new LawAt(s.links(), Law.stiffening(hidden.mode().cubic() * hidden.mode().stiffness())));
-        }
+        hidden.mode().stiffening().ifPresent(law -> laws.add(new LawAt(s.links(), law)));
         return new Assembly(larger, laws, assembly.drives(), assembly.outputs());
     }
 

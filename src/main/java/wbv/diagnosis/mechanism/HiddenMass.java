@@ -71,7 +71,7 @@ record HiddenMass() implements Mechanism {
     @Override
     public Optional<Hypothesis> further(Hypothesis plain, double[] found) {
         Addition.Hidden hidden = (Addition.Hidden) plain.additions().get(0);
-        return hidden.mode().cubic() > 0 ? Optional.empty() : Optional.of(stiffening(plain, hidden, found));
+        return hidden.mode().stiffening().isPresent() ? Optional.empty() : Optional.of(stiffening(plain, hidden, found));
     }
 
     private Hypothesis stiffening(Hypothesis linear, Addition.Hidden hidden, double[] found) {

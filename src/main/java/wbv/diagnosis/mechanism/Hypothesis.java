@@ -290,7 +290,7 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /** Whether naming it needs a free run: a law that is not linear. */
     public boolean runsFree() {
         return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear()
-                || a instanceof Addition.Hidden hidden && hidden.mode().cubic() > 0);
+                || a instanceof Addition.Hidden hidden && hidden.mode().stiffening().isPresent());
     }
 
     /** Whether it is a law in a link, linear or not: physics follows its formula only so far. */

@@ -14,7 +14,9 @@ import wbv.diagnosis.mechanism.Hypothesis.Number;
 /** A spring whose force saturates, over a bend that is as wide as most or another. */
 record Softening() implements Mechanism {
 
-    /** Sharpness of a bend [1]: from one that has half of its force at a knee's deflection to one that is a corner. */
+    /**
+     * Sharpness of a bend [1]: at a knee's deflection it has 2^(-1/n) of what it would have without, from a tenth to all but a thirtieth.
+     */
     private static final double WIDEST = 0.3;
     private static final double NARROWEST = 20;
 

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import wbv.body.law.BoucWen;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.Law;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
 
@@ -85,8 +85,7 @@ final class Yielding {
     private List<Fitter.State> gradual(Fitter.State from, int link, double sliding, double hanging, double yield) {
         String where = from.candidate().last().where();
         double sticking = sliding + hanging;
-        OptionalInt own = base.candidate().stiffness(link);
-        double given = own.isPresent() ? base.candidate().knobs().get(own.getAsInt()).value(0) : 0;
+        double given = base.candidate().given(Slot.of(Slot.Kind.STIFFNESS, link));
         boolean beside = given * given <= sliding * sticking;
         Hypothesis gradual = beside ? new Hysteresis().beside(link, where, Math.max(given, LEAST * hanging), hanging, yield)
                 : new Hysteresis().gradual(link, where, hanging / sticking, yield);

@@ -53,14 +53,10 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
             case "friction.coulomb" -> named(word, 0.01, k > 0 ? 2 : 0.7, "LuGre", a -> Map.of("friction_" + n, a * at.force()),
                     a -> new Lugre(k, c, a * at.force(),
                             (1.1 + 0.3 * half) * a * at.force(), 0.3 * speed, a * at.force() / ((0.03 + 0.03 * half) * travel)));
-            case "hysteresis" -> {
-                double[] late = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
-                double[] soon = {0.03 * travel, 0.07 * travel, 0.15 * travel, 0.35 * travel, 0.8 * travel};
-                yield half < 0.5
-                        ? named(word, 0.05, 10, "five Jenkins sliders beside the spring", a -> Map.of("sticking_" + n + "_per_" + m, a * k),
-                                a -> new Sliders(k, c, a * k, soon))
-                        : named(word, 0.03, 0.85, "five Jenkins sliders", a -> Map.of("share", a), a -> Sliders.partOf(k, c, a, late));
-            }
+            case "hysteresis" -> half < 0.5
+                    ? named(word, 0.05, 10, "five Jenkins sliders beside the spring", a -> Map.of("sticking_" + n + "_per_" + m, a * k),
+                            a -> Sliders.soon(k, c, a * k, travel))
+                    : named(word, 0.03, 0.85, "five Jenkins sliders", a -> Map.of("share", a), a -> Sliders.late(k, c, a, travel));
             case "contact.loss" -> named(word, 0.25, 4, "soft edge", a -> Map.of("preload_" + n, at.force() / a),
                     a -> Springs.contactLoss(k, c, at.force() / a, 0.06 * at.force() / a));
             case "contact.bumpstop" -> {

@@ -67,14 +67,10 @@ final class LinkRecipes {
             case "friction.coulomb" -> law(0.01, 2, word, "LuGre", a -> Map.of("friction_N", a * force),
                     a -> new Lugre(k, c, a * force, (1.1 + 0.3 * half) * a * force, 0.3 * speed, a * force / ((0.03
                             + 0.03 * half) * travel)));
-            case "hysteresis" -> {
-                double[] late = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
-                double[] soon = {0.03 * travel, 0.07 * travel, 0.15 * travel, 0.35 * travel, 0.8 * travel};
-                yield half < 0.5
-                        ? law(0.05, 10, word, "five Jenkins sliders beside the spring", a -> Map.of("sticking_N_per_m", a * k),
-                                a -> new Sliders(k, c, a * k, soon))
-                        : law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> Sliders.partOf(k, c, a, late));
-            }
+            case "hysteresis" -> half < 0.5
+                    ? law(0.05, 10, word, "five Jenkins sliders beside the spring", a -> Map.of("sticking_N_per_m", a * k),
+                            a -> Sliders.soon(k, c, a * k, travel))
+                    : law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> Sliders.late(k, c, a, travel));
             case "memory.viscoelastic" -> {
                 double tau = 0.02 + 0.05 * half;
                 yield law(0.02, 3, word, "two Maxwell arms", a -> Map.of("arm_stiffness_N_per_m", a * k, "relaxation_s", tau),
