@@ -64,4 +64,12 @@ public record Calibration(double forms, double chance, double lapse, int answers
     public double evidence(double left, double least) {
         return -forms / 2 * Math.log(left - least + Math.max(least - 1, chance));
     }
+
+    /**
+     * What a number more in a formula costs, since it makes up for one of so many parts of its form [nat] (Schwarz 1978): as many as data
+     * would have to be if what is left were noise.
+     */
+    public double price() {
+        return Math.log(forms) / 2;
+    }
 }

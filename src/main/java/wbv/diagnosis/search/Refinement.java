@@ -298,11 +298,15 @@ public final class Refinement {
      * @param starts values of the hypothesis' numbers, each in its unit
      */
     List<Fitter.State> polished(Candidate on, Hypothesis hypothesis, double[] x, Fitter.Frame frame, List<double[]> starts) {
-        Candidate with = on.with(hypothesis);
-        Fitter.State best = Parallel
-                .map(starts, values -> fitter.fit(with, on.extended(x, with, hypothesis, values), frame, LAW_STEPS, 1e-3))
-                .stream().min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+        Fitter.State best = fitted(on, hypothesis, x, frame, starts);
         return best.failed() ? List.of() : List.of(polish(best));
+    }
+
+    /** The same without polish, in the frame given; failed if all starts fail. */
+    Fitter.State fitted(Candidate on, Hypothesis hypothesis, double[] x, Fitter.Frame frame, List<double[]> starts) {
+        Candidate with = on.with(hypothesis);
+        return Parallel.map(starts, values -> fitter.fit(with, on.extended(x, with, hypothesis, values), frame, LAW_STEPS, 1e-3)).stream()
+                .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
     }
 
     /** The first steps from coordinates at which nothing was simulated yet, in the whitening of the model there. */
