@@ -2,10 +2,13 @@ package wbv.control.trial;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
+import java.util.function.Function;
 import wbv.control.SeatController;
 import wbv.control.SeatHardware;
 import wbv.rig.Subject;
@@ -65,10 +68,12 @@ public record Comparison(Request request, List<OnFloor> floors) {
      *
      * @param floor       which
      * @param skyhook tuning of the skyhook whose stroke all are given [N·s/m]
+     * @param damper      whichever of the controllers of a damper has the least SEAT with that stroke under the middle sitter
      * @param sitters     by sitter
      * @param transmissibility of each entrant's least SEAT on the first sitter, floor to seat pan
      */
-    public record OnFloor(Floor floor, double skyhook, List<OnSitter> sitters, List<Transmissibility> transmissibility) {
+    public record OnFloor(Floor floor, double skyhook, ControllerFamily damper, List<OnSitter> sitters,
+            List<Transmissibility> transmissibility) {
 
         /** Sitters for whom the entrant has so little stroke. */
         public long within(Entrant entrant) {
@@ -132,7 +137,9 @@ public record Comparison(Request request, List<OnFloor> floors) {
         int all = request.floors().size() * request.sitters().size();
         for (Floor floor : request.floors()) {
             Maker maker = new Maker(request.hardware(), floor, request.seed());
-            double skyhook = front(request, maker, Maker.MIDDLE, new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).best().tuning();
+            Front.Point middle = front(request, maker, Maker.MIDDLE, new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).best();
+            double skyhook = middle.tuning();
+            ControllerFamily damper = damper(request, maker, entrants, middle.result().strokeRms());
             List<OnSitter> sitters = new ArrayList<>();
             for (Subject sitter : request.sitters()) {
                 List<Front> fronts = entrants.stream().map(entrant -> front(request, maker, sitter, entrant)).toList();
@@ -143,7 +150,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
                 progress.accept((double) ++done / all);
             }
             OnSitter first = sitters.get(0);
-            floors.add(new OnFloor(floor, skyhook, sitters, entrants.stream()
+            floors.add(new OnFloor(floor, skyhook, damper, sitters, entrants.stream()
                     .map(entrant -> transmissibility(request, maker, entrant, first.front(entrant).best().tuning())).toList()));
         }
         return new Comparison(request, floors);
@@ -162,6 +169,15 @@ public record Comparison(Request request, List<OnFloor> floors) {
             }
         }
         return entrants;
+    }
+
+    /** The fixed one that serves the middle sitter best: a controller is chosen once for a floor, before anybody is known. */
+    private static ControllerFamily damper(Request request, Maker maker, List<Entrant> entrants, double stroke) {
+        Map<ControllerFamily, Double> seats = new EnumMap<>(ControllerFamily.class);
+        entrants.stream().filter(entrant -> entrant.family().setsDamper() && entrant.knowledge() == Knowledge.FIXED)
+                .forEach(entrant -> front(request, maker, Maker.MIDDLE, entrant).at(stroke)
+                        .ifPresent(found -> seats.put(entrant.family(), found.seat())));
+        return seats.entrySet().stream().min(Map.Entry.comparingByValue()).orElseThrow().getKey();
     }
 
     private static Ride ride(Request request, Floor floor, Subject sitter) {
@@ -225,19 +241,30 @@ public record Comparison(Request request, List<OnFloor> floors) {
 
     /**
      * A family's scheduled controllers, or fixed ones where it knows no sitter, beside the skyhook at the stroke that that takes: rides
-     * that count, those with more than 1.02 times its SEAT, and the greatest ratio.
+     * that count, those with more than 1.02 times its SEAT, the greatest ratio and the mean one.
      */
     public Beside besideSkyhook(ControllerFamily family) {
-        Knowledge knowledge = family.knowledge().contains(Knowledge.SCHEDULED) ? Knowledge.SCHEDULED : Knowledge.FIXED;
+        return besideSkyhook(floor -> family);
+    }
+
+    /** The same of the damper's controllers that were chosen, each on its floor. */
+    public Beside dampersBesideSkyhook() {
+        return besideSkyhook(OnFloor::damper);
+    }
+
+    private Beside besideSkyhook(Function<OnFloor, ControllerFamily> families) {
         List<Double> ratios = new ArrayList<>();
         for (OnFloor floor : floors) {
+            ControllerFamily family = families.apply(floor);
+            Knowledge knowledge = family.knowledge().contains(Knowledge.SCHEDULED) ? Knowledge.SCHEDULED : Knowledge.FIXED;
             for (OnSitter sitter : floor.sitters()) {
                 double skyhook = sitter.at(new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
                 sitter.at(new Entrant(family, knowledge)).ifPresent(found -> ratios.add(found.seat() / skyhook));
             }
         }
         return new Beside(ratios.size(), (int) ratios.stream().filter(ratio -> ratio > 1.02).count(),
-                ratios.stream().mapToDouble(Double::doubleValue).max().orElse(Double.NaN));
+                ratios.stream().mapToDouble(Double::doubleValue).max().orElse(Double.NaN),
+                ratios.stream().mapToDouble(Double::doubleValue).average().orElse(Double.NaN));
     }
 
     /**
@@ -246,8 +273,18 @@ public record Comparison(Request request, List<OnFloor> floors) {
      * @param rides that count
      * @param worse with more than 1.02 times the skyhook's SEAT
      * @param worst greatest ratio
+     * @param mean ratio
      */
-    public record Beside(int rides, int worse, double worst) {}
+    public record Beside(int rides, int worse, double worst, double mean) {
+
+        /** A clause. */
+        public String words() {
+            return String.format(Locale.ROOT,
+                    "%.2f times the skyhook's SEAT at its stroke in the mean, more than 1.02 times in %d of %d ride%s, at most %.2f times",
+                    mean,
+                    worse, rides, rides == 1 ? "" : "s", worst);
+        }
+    }
 
     /**
      * What knowing the sitter is worth at equal stroke.

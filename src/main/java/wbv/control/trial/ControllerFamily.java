@@ -58,6 +58,11 @@ public enum ControllerFamily {
         return knows ? List.of(Knowledge.values()) : List.of(Knowledge.FIXED);
     }
 
+    /** Whether it sets a damper while it rides, which needs no power. */
+    public boolean setsDamper() {
+        return this == SKYHOOK || this == ON_OFF || this == CLIPPED;
+    }
+
     /** Values over which it is tuned, in its own {@link #unit}, rising: a series. A copy. */
     public double[] tunings() {
         return tunings.clone();

@@ -106,6 +106,7 @@ public final class SeatPage {
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> blocks.add(new Text(gain.words(family) + ".")));
         }
+        study.dampers().ifPresent(words -> blocks.add(new Text(words + ".")));
         return new Section("At equal stroke",
                 "SEAT is the weighted r.m.s. acceleration (Wk) of the seat pan over that of the floor. More stroke buys comfort from "
                         + "any controller; so each is tuned to the stroke that a continuous skyhook needs which the middle sitter finds "

@@ -31,9 +31,10 @@ public record SeatResults(String format, int version, boolean simulated, Map<Str
      *
      * @param limit of SEAT, assumed; empty for roads
      * @param skyhook_Ns_per_m whose stroke all are given
+     * @param damper which controller a damper does best with, under the middle sitter
      */
     public record Surface(String floor, String description, double rms_m_s2, Optional<Double> limit, double skyhook_Ns_per_m,
-            List<Summary> at_equal_stroke, List<Rider> sitters) {}
+            String damper, List<Summary> at_equal_stroke, List<Rider> sitters) {}
 
     /** Mean over sitters; the greatest stroke is the greatest of all. */
     public record Summary(String controller, String knowledge, Front.AtStroke mean) {}
@@ -58,7 +59,8 @@ public record SeatResults(String format, int version, boolean simulated, Map<Str
     private static Surface surface(Comparison comparison, Comparison.OnFloor on) {
         List<Summary> summaries = comparison.entrants().stream().flatMap(entrant -> on.mean(entrant)
                 .map(mean -> new Summary(entrant.family().word(), entrant.knowledge().word(), mean)).stream()).toList();
-        return new Surface(on.floor().word(), on.floor().description(), on.floor().rms(), limit(on.floor()), on.skyhook(), summaries,
+        return new Surface(on.floor().word(), on.floor().description(), on.floor().rms(), limit(on.floor()), on.skyhook(),
+                on.damper().word(), summaries,
                 on.sitters().stream().map(one -> new Rider(one.words(), one.mass(), one.stroke(), one.fronts())).toList());
     }
 

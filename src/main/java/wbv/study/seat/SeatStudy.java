@@ -1,11 +1,15 @@
 package wbv.study.seat;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.DoubleConsumer;
+import java.util.stream.Collectors;
 import wbv.control.trial.Comparison;
 import wbv.control.trial.ControllerFamily;
 import wbv.control.trial.EarthMover;
@@ -62,6 +66,19 @@ public final class SeatStudy {
                 first.floor().word(), first.mean(best).orElseThrow().seat(), best.words(), skyhook);
     }
 
+    /** One line on which controller to give a damper; none where there is no choice. */
+    public Optional<String> dampers() {
+        if (comparison.entrants().stream().map(Comparison.Entrant::family).filter(ControllerFamily::setsDamper).distinct().count() < 2) {
+            return Optional.empty();
+        }
+        Map<String, List<String>> floors = new TreeMap<>();
+        comparison.floors().forEach(on -> floors.computeIfAbsent(on.damper().word(), word -> new ArrayList<>()).add(on.floor().word()));
+        return Optional.of("A damper does best under the middle sitter with "
+                + floors.entrySet().stream().map(entry -> entry.getKey() + " (" + String.join(", ", entry.getValue()) + ")")
+                        .collect(Collectors.joining(", "))
+                + "; chosen so: " + comparison.dampersBesideSkyhook().words());
+    }
+
     /** A table for the terminal. */
     public String summary() {
         StringBuilder text = new StringBuilder();
@@ -87,12 +104,10 @@ public final class SeatStudy {
         for (ControllerFamily family : ControllerFamily.values()) {
             comparison.gain(family).ifPresent(gain -> text.append(gain.words(family)).append(System.lineSeparator()));
             if (family != ControllerFamily.SKYHOOK && comparison.entrants().stream().anyMatch(entrant -> entrant.family() == family)) {
-                Comparison.Beside beside = comparison.besideSkyhook(family);
-                text.append(String.format(Locale.ROOT,
-                        "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d ride%s, at most %.2f times%n",
-                        family.word(), beside.worse(), beside.rides(), beside.rides() == 1 ? "" : "s", beside.worst()));
+                text.append(family.word()).append(": ").append(comparison.besideSkyhook(family).words()).append(System.lineSeparator());
             }
         }
+        dampers().ifPresent(words -> text.append(words).append(System.lineSeparator()));
         return text.toString().replace(System.lineSeparator(), "\n");
     }
 }

@@ -125,6 +125,24 @@ class SeatTrialTest {
         assertTrue(active.strokeRms() <= sitter.stroke());
     }
 
+    @Tag("slow")
+    @Test
+    void aDamperIsGivenTheControllerThatServesTheMiddleSitterBest() {
+        Comparison comparison = Comparison.run(new Comparison.Request(SEAT, List.of(EarthMover.EM2, EarthMover.EM5), List.of(Maker.MIDDLE),
+                List.of(ControllerFamily.ON_OFF, ControllerFamily.CLIPPED), 0, 4, 10, 5), share -> {});
+        for (Comparison.OnFloor on : comparison.floors()) {
+            double chosen = seat(on, on.damper());
+            assertTrue(chosen <= seat(on, ControllerFamily.SKYHOOK) && chosen <= seat(on, ControllerFamily.ON_OFF)
+                    && chosen <= seat(on, ControllerFamily.CLIPPED), on.floor().word());
+        }
+        assertEquals(ControllerFamily.CLIPPED, comparison.floors().get(0).damper(), "where the floor shakes near the resonance");
+        assertTrue(comparison.dampersBesideSkyhook().mean() < 1);
+    }
+
+    private static double seat(Comparison.OnFloor on, ControllerFamily family) {
+        return on.sitters().get(0).at(new Comparison.Entrant(family, Knowledge.FIXED)).orElseThrow().seat();
+    }
+
     /**
      * A controller that is believed to have a delay of 4 ms and has 14: without the guard it sings at 21 Hz with four times a passive
      * seat's SEAT.
