@@ -177,6 +177,7 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     ramp = (-r + sqrt(r * r + bend_m * bend_m)) / 2
                     force = -compression_ratio * k * (ramp - bend_m / 2)
                     """),
+            Map.entry("Thinning", "force = coefficient_N * v / (1 + pow(abs(v) / speed_m_per_s, thinning))"),
             Map.entry("QuadraticDamping", "force = c2_Ns2_per_m2 * v * abs(v)"),
             Map.entry("CoulombFriction", """
                     x = v / transition_m_per_s

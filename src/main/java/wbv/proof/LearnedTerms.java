@@ -43,6 +43,9 @@ final class LearnedTerms {
                 shape(memory.of(), factors);
                 shape(memory.shape(), factors);
                 lagged = true;
+            } else if (term instanceof Learned.Thinning thinning) {
+                long power = Math.round(thinning.thinning());
+                factors.add(new ComparedTerm.Factor("speed", "", "over one plus its " + (power == 2 ? "square" : "power")));
             } else if (term instanceof LearnedInertance) {
                 factors.add(new ComparedTerm.Factor("acceleration", "", "itself"));
             } else if (term instanceof LearnedWave wave) {

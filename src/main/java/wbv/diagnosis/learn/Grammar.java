@@ -28,8 +28,8 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /**
- * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, one memory or an
- * inertance, each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters
+ * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, damping that speed thins, one memory or
+ * an inertance, each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters
  * linearly, so that a score test ranks them at the price of one product of spectra each.
  */
 final class Grammar {
@@ -53,6 +53,10 @@ final class Grammar {
     private static final double[] SECONDS = {0.7, 2.5, 8};
     /** Knees over the root mean square. */
     private static final double[] KNEES = {0.4, 1, 1.8};
+    /** How damping thins with speed: to a limit, and past a crest; bounds from a square root to a force that is gone at twice its crest. */
+    private static final double[] THINNING = {1, 2};
+    private static final double LEAST_THINNING = 0.3;
+    private static final double MOST_THINNING = 6;
     /** Memories of the ride [s]. */
     private static final double[] RIDES = {0.7, 2.5, 8};
     /** What settles, in parts of the record. */
@@ -131,6 +135,7 @@ final class Grammar {
         REMEMBERED.forEach(of -> all.add(memory(of, Shape.ONE, scaled(MOMENTS, pace))));
         LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(memory(of, shape, scaled(SECONDS, pace)))));
         all.add(inertance());
+        all.add(thinning());
         for (Modulator modulator : modulators()) {
             double size = size(modulator);
             MODULATED.forEach(shape -> all.add(term(shape, modulator, size)));
@@ -178,6 +183,15 @@ final class Grammar {
         return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit,
                 List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
                 Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
+    }
+
+    private Hypothesis thinning() {
+        double unit = unit(Shape.SPEED);
+        return hypothesis(new Learned.Thinning(unit, THINNING[0], v), unit,
+                List.of(Hypothesis.Number.factor(LEAST_THINNING, MOST_THINNING).named("thinning"),
+                        Hypothesis.Number.factor(KNEES[0] / 20 * v, 20 * KNEES[2] * v).named("speed_m_per_s")),
+                Arrays.stream(THINNING).boxed().flatMap(n -> Arrays.stream(KNEES)
+                        .mapToObj(q -> new Hypothesis.Start(new double[] {unit, n, q * v}, List.of(new int[] {0})))).toList());
     }
 
     private Hypothesis memory(Shape of, Shape shape, double[] times) {

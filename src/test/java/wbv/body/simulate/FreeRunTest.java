@@ -23,6 +23,7 @@ import wbv.body.law.EngagingFriction;
 import wbv.body.law.GradualSaturation;
 import wbv.body.law.JenkinsElement;
 import wbv.body.law.Law;
+import wbv.body.law.Learned;
 import wbv.body.law.LearnedInertance;
 import wbv.body.law.LearnedKnee;
 import wbv.body.law.LearnedLimited;
@@ -71,7 +72,8 @@ class FreeRunTest {
                 new LearnedLimited(Shape.DEFLECTION, Modulator.NONE, -20000, 0.7),
                 new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
                 new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.05),
-                new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION, Modulator.NONE, -2e7, 0.5), new LearnedInertance(3));
+                new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION, Modulator.NONE, -2e7, 0.5), new LearnedInertance(3),
+                new Learned.Thinning(2000, 1.6, 0.02));
     }
 
     @ParameterizedTest
