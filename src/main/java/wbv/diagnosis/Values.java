@@ -18,6 +18,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
+import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**
@@ -97,7 +98,7 @@ final class Values {
             moments[i] = !moment && state.candidate().knobs().get(i).name().endsWith("time_s");
             held[i] = b[i] == 0 && (held[i] || moments[i]);
         }
-        double[] solved = Fitter.solve(curvature, b, held, 0);
+        double[] solved = DampedEquations.solve(curvature, b, held, 0);
         double white = ScalarProduct.of(b, solved);
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
         double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);

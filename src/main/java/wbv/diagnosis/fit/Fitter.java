@@ -5,9 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
-import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Sensitivities;
@@ -398,46 +395,5 @@ public final class Fitter {
                         frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), columns, frame);
-    }
-
-    /**
-     * (C + damping diag C) s = g over the coordinates that are not held, n long, in whatever unit; 0 for those that are.
-     *
-     * @param c n by n, in whatever unit
-     * @param g n long, likewise
-     * @param held n
-     * @param damping [1]. None is modified.
-     */
-    public static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
-        int n = g.length;
-        int[] free = IntStream.range(0, n).filter(i -> !held[i]).toArray();
-        double[] out = new double[n];
-        if (free.length == 0) {
-            return out;
-        }
-        // Scaled to a unit diagonal, so that knobs of any unit are solved with the same care.
-        double[] size = new double[free.length];
-        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
-        DMatrixRMaj b = new DMatrixRMaj(free.length, 1);
-        for (int i = 0; i < free.length; i++) {
-            size[i] = Math.sqrt(Math.max(c[free[i]][free[i]], 1e-300));
-        }
-        for (int i = 0; i < free.length; i++) {
-            for (int j = 0; j < free.length; j++) {
-                a.set(i, j, c[free[i]][free[j]] / size[i] / size[j] + (i == j ? damping + 1e-12 : 0));
-            }
-            b.set(i, g[free[i]] / size[i]);
-        }
-        LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(free.length);
-        if (!solver.setA(a)) {
-            solver = LinearSolverFactory_DDRM.pseudoInverse(true);
-            solver.setA(a);
-        }
-        DMatrixRMaj x = new DMatrixRMaj(free.length, 1);
-        solver.solve(b, x);
-        for (int i = 0; i < free.length; i++) {
-            out[free[i]] = x.get(i) / size[i];
-        }
-        return out;
     }
 }

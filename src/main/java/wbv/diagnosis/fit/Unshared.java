@@ -8,6 +8,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 import wbv.signal.ComplexSeries;
+import wbv.signal.DampedEquations;
 import wbv.signal.Detrend;
 import wbv.signal.Segmentation;
 import wbv.signal.SpectralMatrix;
@@ -205,7 +206,7 @@ final class Unshared {
                     a[i][j] = real.get(i, j);
                 }
             }
-            return Fitter.solve(a, first, new boolean[2 * m], 0)[0];
+            return DampedEquations.solve(a, first)[0];
         }
     }
 }

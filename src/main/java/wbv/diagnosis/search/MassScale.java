@@ -16,6 +16,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
+import wbv.signal.DampedEquations;
 
 /**
  * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it;
@@ -72,10 +73,10 @@ public record MassScale(double factor, double deviation) {
             }
         }
         boolean[] held = Arrays.copyOf(state.held(), n + 1);
-        double[] best = Fitter.solve(a, b, held, 0);
+        double[] best = DampedEquations.solve(a, b, held, 0);
         double[] unit = new double[n + 1];
         unit[n] = 1;
-        double variance = Fitter.solve(a, unit, held, 0)[n];
+        double variance = DampedEquations.solve(a, unit, held, 0)[n];
         // Masses that contradict each other more than their user should tell that they are less well known (Birge 1932).
         double scatter = best[n] * best[n];
         for (int i : masses) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
+import wbv.signal.DampedEquations;
 
 /**
  * How likely a model's own numbers are where a fit had to move them: a law that explains a recording only if a spring is three times as
@@ -48,6 +49,6 @@ public final class OwnNumbers {
         }
         double[] unit = new double[curvature.length];
         unit[coordinate] = 1;
-        return Math.max(0, Fitter.solve(curvature, unit, new boolean[unit.length], 0)[coordinate]);
+        return Math.max(0, DampedEquations.solve(curvature, unit)[coordinate]);
     }
 }

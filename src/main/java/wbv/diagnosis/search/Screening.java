@@ -22,6 +22,7 @@ import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.SymmetricFactor;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**
@@ -286,7 +287,7 @@ public final class Screening {
             }
             g[i] = rests.get(i).gradient();
         }
-        double[] s = Fitter.solve(a, g, new boolean[m], 0);
+        double[] s = DampedEquations.solve(a, g);
         double gain = 0;
         for (int i = 0; i < m; i++) {
             strength[i] = -s[i];

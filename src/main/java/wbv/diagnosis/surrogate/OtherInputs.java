@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import wbv.body.simulate.Excitation;
-import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.DampedEquations;
 
 /**
  * What the base's other channels add to an output beside the input: all of them, the input too, through finite impulse responses that are
@@ -126,7 +126,7 @@ final class OtherInputs {
                 right[a * taps + i] = product(y, 0, series[a], lag(i));
             }
         }
-        double[] h = Fitter.solve(normal, right, new boolean[right.length], 0);
+        double[] h = DampedEquations.solve(normal, right);
         for (int a = 1; a < series.length; a++) {
             for (int i = 0; i < taps; i++) {
                 int lag = lag(i);
