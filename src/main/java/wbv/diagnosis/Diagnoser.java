@@ -11,7 +11,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.body.law.Learned;
-import wbv.diagnosis.fit.Admission;
+import wbv.diagnosis.fit.AccelerationUnit;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -120,7 +120,7 @@ public final class Diagnoser {
         Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom())
                 .with(question.library());
         if (!question.unitsKnown()) {
-            Admission.units(evidence);
+            AccelerationUnit.check(evidence);
         }
         return new Diagnoser(evidence, progress);
     }
@@ -130,7 +130,7 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
-        boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
+        boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
         if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
             return louderLater(baseline, base);
         }

@@ -15,7 +15,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
-import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
 import wbv.signal.DampedEquations;
@@ -198,7 +198,7 @@ final class Values {
                     .mapToDouble(stretch -> TWITCH * Math.abs(stretch.value(stretch.u(state.x())))).findFirst();
             // The input's sensor has its own small error, against which this one is seen.
             case GAIN -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
-            case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample());
+            case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.measured().sample());
             case TILT -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
             case ARM -> OptionalDouble.of(SmallError.Kind.ARM.deviation());
         };

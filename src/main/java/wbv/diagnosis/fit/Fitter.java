@@ -163,7 +163,8 @@ public final class Fitter {
             return first;
         }
         // A sensor that is late is late for what reaches all sensors too.
-        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors()))
+        Frame second = evidence.sources().areStrong()
+                ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors()))
                 : first;
         boolean[] off = first.nuisances().off(candidate);
         double[] errors = first.nuisances().likeliest(there.errors(), off);
@@ -171,7 +172,7 @@ public final class Fitter {
     }
 
     private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {
-        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window, seen);
+        Whitening whitening = evidence.sources().whitening(evidence, excitation, candidate.at(x), window, seen);
         return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
     }
 
@@ -385,13 +386,14 @@ public final class Fitter {
         Nuisances small = frame.nuisances();
         boolean[] off = small.off(candidate);
         Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);
-        double[] raw = evidence.residual(excitation, late.of(response), frame.whitening());
+        double[] raw = evidence.spectra().residual(excitation, late.of(response), frame.whitening());
         small.restore(raw, off);
         Nuisances.Explained explained = small.explain(raw, off);
         double cost = candidate.withPriors(explained.square() + ScalarProduct.of(explained.errors(), explained.errors()), x);
         double[][] columns = new double[slopes ? x.length : 0][];
         Parallel.each(columns.length, i -> columns[i] = i < known.length && !isOwn(candidate, i) ? known[i]
-                : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]),
+                : evidence.spectra().whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
+                        -candidate.knobs().get(i).slope(x[i]),
                         frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), columns, frame);

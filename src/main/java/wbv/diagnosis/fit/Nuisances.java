@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Drive;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.signal.ScalarProduct;
 
@@ -47,7 +48,7 @@ public final class Nuisances {
     public static Nuisances of(Evidence evidence, Whitening whitening, ErrorShapes ways) {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
-        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1,
+        return new Nuisances(whitening.window(), evidence.measured().sample(), shapes.errors(), all, all.gram(), new double[all.count()], 1,
                 new double[all.count()]);
     }
 

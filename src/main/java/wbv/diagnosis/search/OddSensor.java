@@ -12,7 +12,7 @@ import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -66,7 +66,7 @@ public final class OddSensor {
      * them.
      */
     private List<Integer> odd(Fitter.State fit) {
-        double deviation = SmallError.Kind.DELAY.deviation() * evidence.sample();
+        double deviation = SmallError.Kind.DELAY.deviation() * evidence.measured().sample();
         return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
             double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation)
                     .toArray();

@@ -211,7 +211,7 @@ public final class Screening {
 
     /** A change of the outputs as a change of the residual. */
     private double[] seen(double[][] change) {
-        return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
+        return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
     /**

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import wbv.body.simulate.Excitation;
-import wbv.diagnosis.fit.Measured;
+import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
