@@ -109,7 +109,7 @@ public final class BlindFit {
         private final List<double[]> directions = new ArrayList<>();
         private final Columns slopes;
         private final Columns errors;
-        private final Nuisances small;
+        private final BoundedLeastSquares small;
         private final double[][] curvature;
         private final double[][] cross;
 
@@ -122,9 +122,9 @@ public final class BlindFit {
             slopes = new Columns(Arrays.stream(state.slopes()).map(this::along).toArray(double[][]::new));
             errors = new Columns(IntStream.range(0, nuisances.count()).mapToObj(i -> along(nuisances.columns().get(i)))
                     .toArray(double[][]::new));
-            small = nuisances.less(errors.gram());
-            curvature = Nuisances.less(gram, slopes.gram());
-            cross = Nuisances.less(products, errors.products(slopes));
+            small = nuisances.squares().less(errors.gram());
+            curvature = BoundedLeastSquares.difference(gram, slopes.gram());
+            cross = BoundedLeastSquares.difference(products, errors.products(slopes));
         }
 
         private Window window() {
@@ -198,10 +198,11 @@ public final class BlindFit {
                 return new Left(at, new double[0], new double[0], Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
             }
             double[] along = along(at.raw());
-            double[] with = nuisances.products(at.raw());
+            double[] with = nuisances.columns().products(at.raw());
             double[] unseen = errors.products(along);
             Arrays.setAll(with, i -> with[i] - unseen[i]);
-            Nuisances.Explained explained = small.explain(with, ScalarProduct.of(at.raw(), at.raw()) - ScalarProduct.of(along, along), off);
+            BoundedLeastSquares.Explained explained = small.explain(with,
+                    ScalarProduct.of(at.raw(), at.raw()) - ScalarProduct.of(along, along), off);
             double cost = at.candidate().withPriors(explained.square() + ScalarProduct.of(explained.errors(), explained.errors()), at.x());
             errors.subtract(explained.errors(), along);
             return new Left(at, explained.errors(), along, explained.square(), cost);
@@ -209,7 +210,7 @@ public final class BlindFit {
 
         /** Where the next step leads, while errors that stand at no bound follow it. */
         double[] step(Left from, double damping) {
-            int[] free = IntStream.range(0, from.errors.length).filter(i -> !off[i] && !small.isHeld(i, from.errors[i])).toArray();
+            int[] free = small.free(from.errors, off);
             SymmetricFactor factor = small.factor(free);
             double[] residual = nuisances.removed(from.at.raw(), from.errors);
             double[] unseen = slopes.products(from.along);

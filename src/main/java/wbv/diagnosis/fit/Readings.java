@@ -27,7 +27,7 @@ public final class Readings {
         Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
         Nuisances nuisances = state.frame().nuisances();
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
-        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
+        Lateness late = nuisances.delays().about(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
                 run.outputs().length);
         double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();

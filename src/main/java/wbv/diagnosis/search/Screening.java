@@ -14,6 +14,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Columns;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
@@ -48,7 +49,7 @@ public final class Screening {
     private final Simulator.Linearised linear;
     private final double[][] outputs;
     private final Optional<Simulator.Bends> bends;
-    private final Nuisances.Lateness late;
+    private final Lateness late;
     private final SymmetricFactor factor;
     private final double[] gradient;
     private final double[] residual;
@@ -88,7 +89,7 @@ public final class Screening {
         this.outputs = there.outputs();
         this.bends = there.bends();
         Nuisances small = state.frame().nuisances();
-        this.late = small.lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
+        this.late = small.delays().lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
         Normal normal = new Normal(state);
         this.gradient = normal.gradient();
         this.residual = state.residual();
