@@ -11,7 +11,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.body.law.Learned;
-import wbv.diagnosis.fit.AccelerationUnit;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -21,6 +20,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.measured.AccelerationUnit;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
@@ -120,7 +120,7 @@ public final class Diagnoser {
         Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom())
                 .with(question.library());
         if (!question.unitsKnown()) {
-            AccelerationUnit.check(evidence);
+            AccelerationUnit.check(evidence.measured());
         }
         return new Diagnoser(evidence, progress);
     }

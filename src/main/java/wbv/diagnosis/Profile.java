@@ -1,9 +1,9 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**

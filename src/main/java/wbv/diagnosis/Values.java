@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -18,7 +19,6 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
-import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**

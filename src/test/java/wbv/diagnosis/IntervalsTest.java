@@ -24,6 +24,7 @@ import wbv.body.law.MaxwellArm;
 import wbv.body.law.SaturatingSpring;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -38,7 +39,6 @@ import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
-import wbv.signal.DampedEquations;
 
 /**
  * Intervals of numbers whose truth is known: a seat and a torso on a platform, a law in the link between them, sensors with noise

@@ -7,6 +7,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.signal.ScalarProduct;
 
 /**

@@ -3,7 +3,8 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import wbv.signal.DampedEquations;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Drive;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
+import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.signal.ScalarProduct;

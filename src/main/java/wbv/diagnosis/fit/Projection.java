@@ -1,6 +1,8 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.SymmetricFactor;
 
 /**
  * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change

@@ -3,10 +3,11 @@ package wbv.diagnosis.fit;
 import java.util.Optional;
 import wbv.body.simulate.Sensitivities;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
 import wbv.signal.ScalarProduct;
 
 /**
- * What candidates leave of the evidence: their runs as late sensors read them, less what was measured, whitened, and what the sensors' small
+ * What candidates leave of the evidence: what was measured less their runs as late sensors read them, whitened, and what the sensors' small
  * errors explain of that.
  */
 final class Residuals {

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import wbv.diagnosis.measured.SmallError;
 
 /**
- * How late sensors are. Delays alone of all small errors are not linear up to the highest line that counts: they are exact about where a fit
- * has them, and only what they are more or less counts to first order.
+ * How late sensors are. Delays alone of all small errors are not linear up to the highest line that counts: they are exact about where a
+ * fit has them, and only what they are more or less counts to first order.
  */
 public final class SensorDelays {
 

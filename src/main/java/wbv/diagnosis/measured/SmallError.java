@@ -39,7 +39,7 @@ public record SmallError(Kind kind, int owner, String axis) {
         AXIS_TILT("tilt_of_%s_rad", Math.toRadians(1)),
         /** Distance of a sensor of the base from where it should be [m], by the axis about which that shows. */
         AXIS_ARM("arm_of_%s_m", 0.005),
-        /** No sensor's: a sample of what the way to it answers otherwise than the model says, see {@link wbv.diagnosis.fit.WrongWay} [1]. */
+        /** No sensor's: a sample of what the way to it answers otherwise than the model says [1], see {@code WrongWay}. */
         WAY("way", 1);
 
         private final String key;

@@ -10,13 +10,13 @@ import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.number.Modulator;
 import wbv.body.number.Numbers;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
-import wbv.signal.DampedEquations;
 
 /**
  * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it;

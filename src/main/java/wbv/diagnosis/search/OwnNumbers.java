@@ -2,9 +2,9 @@ package wbv.diagnosis.search;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
-import wbv.signal.DampedEquations;
 
 /**
  * How likely a model's own numbers are where a fit had to move them: a law that explains a recording only if a spring is three times as

@@ -10,8 +10,10 @@ import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.DampedEquations;
+import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Columns;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Lateness;
@@ -20,10 +22,8 @@ import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Projection;
-import wbv.diagnosis.fit.SymmetricFactor;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import wbv.body.simulate.Excitation;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.signal.DampedEquations;
 
 /**
  * What the base's other channels add to an output beside the input: all of them, the input too, through finite impulse responses that are

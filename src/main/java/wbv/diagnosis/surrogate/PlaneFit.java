@@ -7,9 +7,9 @@ import java.util.stream.IntStream;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
-import wbv.signal.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /**

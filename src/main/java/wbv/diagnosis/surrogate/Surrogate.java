@@ -19,7 +19,7 @@ import wbv.body.simulate.Excitation;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Question;
-import wbv.diagnosis.fit.AccelerationUnit;
+import wbv.diagnosis.measured.AccelerationUnit;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Clock;

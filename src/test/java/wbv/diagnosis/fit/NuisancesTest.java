@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;

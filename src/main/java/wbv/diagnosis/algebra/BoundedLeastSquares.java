@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.algebra;
 
 import java.util.Arrays;
 import java.util.BitSet;
@@ -9,11 +9,11 @@ import org.ejml.data.DMatrixRMaj;
 import wbv.signal.ScalarProduct;
 
 /**
- * Least |r - D n|² + |n|² over n within bounds, by the products of D alone. Those that would leave their bounds stay there, and are let go
- * again where they would come back (an active set: Stark and Parker 1995); exact, since columns of D may be as good as collinear. Threads
- * may share it.
+ * Least |r - D n|² + |n|² over numbers n within bounds, by the products of D alone. Those that would leave their bounds stay there, and are
+ * let go again where they would come back (an active set: Stark and Parker 1995); exact, since columns of D may be as good as collinear.
+ * Threads may share it.
  */
-final class BoundedLeastSquares {
+public final class BoundedLeastSquares {
 
     private static final int ROUNDS = 25;
     /** How near to its bound a number stands at it. */
@@ -29,12 +29,12 @@ final class BoundedLeastSquares {
     private final Map<BitSet, SymmetricFactor> factors = new ConcurrentHashMap<>();
 
     /**
-     * That nothing was looked for yet.
+     * Of numbers that nobody looked for yet.
      *
-     * @param gram DᵀD
-     * @param most size that each number may have. Neither is modified, nor copied.
+     * @param gram DᵀD [1], n by n
+     * @param most size [1] that each number may have, n long; infinite where it has no bound. Neither is modified, nor copied.
      */
-    BoundedLeastSquares(double[][] gram, double[] most) {
+    public BoundedLeastSquares(double[][] gram, double[] most) {
         this(gram, most, new double[most.length]);
     }
 
@@ -47,9 +47,9 @@ final class BoundedLeastSquares {
     /**
      * The same, looked for from where numbers were.
      *
-     * @param sizes of all of them. Not modified.
+     * @param sizes of all of them [1], n long. Not modified.
      */
-    BoundedLeastSquares from(double[] sizes) {
+    public BoundedLeastSquares from(double[] sizes) {
         double[] bounds = new double[sizes.length];
         Arrays.setAll(bounds, i -> isHeld(i, sizes[i]) ? Math.copySign(most[i], sizes[i]) : 0);
         return new BoundedLeastSquares(gram, most, bounds);
@@ -58,9 +58,9 @@ final class BoundedLeastSquares {
     /**
      * The same where the columns of D are greater.
      *
-     * @param by factor of each. Not modified.
+     * @param by factor of each, n long. Not modified.
      */
-    BoundedLeastSquares scaled(double[] by) {
+    public BoundedLeastSquares scaled(double[] by) {
         double[][] products = new double[by.length][by.length];
         for (int i = 0; i < by.length; i++) {
             for (int j = 0; j < by.length; j++) {
@@ -73,14 +73,19 @@ final class BoundedLeastSquares {
     /**
      * The same where a part of everything is not seen.
      *
-     * @param unseen products of that part of the columns, by column and column. Not modified.
+     * @param unseen products of that part of the columns [1], n by n. Not modified.
      */
-    BoundedLeastSquares less(double[][] unseen) {
+    public BoundedLeastSquares less(double[][] unseen) {
         return new BoundedLeastSquares(difference(gram, unseen), most, begun);
     }
 
-    /** Products less those of a part, entry by entry, in their unit. None is modified. */
-    static double[][] difference(double[][] all, double[][] some) {
+    /**
+     * Products less those of a part, by row, in their unit. A new array.
+     *
+     * @param all by row, of any unit
+     * @param some as many, in the same unit. Neither is modified.
+     */
+    public static double[][] difference(double[][] all, double[][] some) {
         double[][] out = new double[all.length][];
         for (int i = 0; i < out.length; i++) {
             out[i] = all[i].clone();
@@ -94,19 +99,19 @@ final class BoundedLeastSquares {
     /**
      * What the numbers make of a residual.
      *
-     * @param errors what was found
-     * @param square what is left of the residual, as a sum of squares
+     * @param errors what was found [1], n long. Not a copy
+     * @param square what is left of the residual, as a sum of squares [1]
      */
-    record Explained(double[] errors, double square) {}
+    public record Explained(double[] errors, double square) {}
 
     /**
      * The numbers that explain a residual best.
      *
-     * @param products Dᵀr. Not modified.
-     * @param square |r|²
-     * @param off numbers that stay 0. Not modified.
+     * @param products Dᵀr [1], n long
+     * @param square |r|² [1]
+     * @param off numbers that stay 0, n long. None is modified.
      */
-    Explained explain(double[] products, double square, boolean[] off) {
+    public Explained explain(double[] products, double square, boolean[] off) {
         double[] n = new double[most.length];
         boolean[] held = off.clone();
         for (int i = 0; i < n.length; i++) {
@@ -188,23 +193,27 @@ final class BoundedLeastSquares {
         return IntStream.range(0, n.length).mapToDouble(i -> products[i] - ScalarProduct.of(gram[i], n)).toArray();
     }
 
-    /** Whether a number of that size stands at its bound and so takes no part in small changes; one without bounds never does. */
-    boolean isHeld(int i, double size) {
+    /** Whether number i of a size [1] stands at its bound and so takes no part in small changes; one without a bound never does. */
+    public boolean isHeld(int i, double size) {
         return Math.abs(size) >= most[i] - AT;
     }
 
     /**
      * Those that follow small changes.
      *
-     * @param sizes of all
-     * @param off that stay 0. Neither is modified.
+     * @param sizes of all [1], n long
+     * @param off that stay 0, n long. Neither is modified.
      */
-    int[] free(double[] sizes, boolean[] off) {
+    public int[] free(double[] sizes, boolean[] off) {
         return IntStream.range(0, sizes.length).filter(i -> !off[i] && !isHeld(i, sizes[i])).toArray();
     }
 
-    /** Of DᵀD + 1 for some of the numbers. */
-    SymmetricFactor factor(int[] which) {
+    /**
+     * Of DᵀD + 1 for some of the numbers.
+     *
+     * @param which indices. Not modified.
+     */
+    public SymmetricFactor factor(int[] which) {
         BitSet asked = new BitSet();
         IntStream.of(which).forEach(asked::set);
         return factors.computeIfAbsent(asked, some -> factored(which));

@@ -1,4 +1,4 @@
-package wbv.signal;
+package wbv.diagnosis.algebra;
 
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;

@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import java.util.List;
 import java.util.Locale;
@@ -35,27 +35,27 @@ public final class AccelerationUnit {
      * Refuses accelerations that look to be in g or mg: an output that is what the model gives but for that factor, a ride
      * that no person would sit through, or one that no sensor would measure so quietly.
      */
-    public static void check(Evidence evidence) {
-        List<Channel> inputs = evidence.model().excitations();
-        if (evidence.onRig() || inputs.get(0).quantity() != Quantity.ACCELERATION) {
+    public static void check(Measured measured) {
+        List<Channel> inputs = measured.model().excitations();
+        if (measured.onRig() || inputs.get(0).quantity() != Quantity.ACCELERATION) {
             return;
         }
-        double[][] simulated = new Simulator(evidence.whole()).outputs(evidence.model().assembly());
+        double[][] simulated = new Simulator(measured.input()).outputs(measured.model().assembly());
         for (int o = 0; o < simulated.length; o++) {
-            Channel output = evidence.outputs().get(o);
+            Channel output = measured.outputs().get(o);
             if (output.quantity() == Quantity.ACCELERATION) {
-                factor(simulated[o], evidence.measured(o)).ifPresent(by -> {
+                factor(simulated[o], measured.series(o)).ifPresent(by -> {
                     throw fault("%s reads %.4g times what the model makes of %s: one of the two looks to be in %s; "
                             + "say the unit in a column map (--map)", output, by, inputs.get(0), unit(by).orElse(""));
                 });
             }
         }
-        double level = rms(evidence.whole().series(evidence.whole().baseSpectrum()));
+        double level = rms(measured.input().series(measured.input().baseSpectrum()));
         if (level > UNBEARABLE) {
             throw fault("%s moves by %.3g m/s² rms, more than a person sits through: it looks to be in mg; "
                     + "say the unit in a column map (--map)", inputs.get(0), level);
         }
-        double noise = evidence.measured().inputNoise();
+        double noise = measured.inputNoise();
         if (level < FAINT && noise < TOO_QUIET && noise > COMPUTED * level) {
             throw fault("%s moves by %.3g m/s² rms with %.2g m/s² of noise, both faint: it looks to be in g; "
                     + "say the unit, be it m/s2, in a column map (--map)", inputs.get(0), level, noise);
