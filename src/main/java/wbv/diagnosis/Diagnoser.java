@@ -11,7 +11,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.body.law.Learned;
-import wbv.diagnosis.fit.Admission;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -21,6 +20,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.measured.AccelerationUnit;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
@@ -120,7 +120,7 @@ public final class Diagnoser {
         Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom())
                 .with(question.library());
         if (!question.unitsKnown()) {
-            Admission.units(evidence);
+            AccelerationUnit.check(evidence.measured());
         }
         return new Diagnoser(evidence, progress);
     }
@@ -130,7 +130,7 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
-        boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
+        boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
         if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
             return louderLater(baseline, base);
         }

@@ -13,7 +13,7 @@ import wbv.body.SensorFault;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Rounding;
+import wbv.diagnosis.measured.Rounding;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.SensorBias;
 import wbv.diagnosis.mechanism.SensorDropouts;
@@ -53,15 +53,15 @@ final class PlainFaults {
         }
         for (int o = 0; o < evidence.outputs().size(); o++) {
             String where = evidence.outputs().get(o).toString();
-            if (evidence.repeated(o) > REPEATED) {
-                Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
+            if (evidence.measured().repeated(o) > REPEATED) {
+                Map<String, Double> count = Map.of("samples", (double) evidence.measured().repeated(o));
                 out.add(new Diagnosis.Named(new SensorDropouts().word(), where, 0.98, count, Map.of(), base.reduced()));
             }
             if (evidence.onRig()) {
                 steps(evidence.outputs().get(o), Math.sqrt(2), base).ifPresent(out::add);
             }
             boolean clipped = clips(best, o);
-            double bias = evidence.mean(o) - shared(o) - modelled[o];
+            double bias = evidence.measured().mean(o) - shared(o) - modelled[o];
             double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
             if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
@@ -118,7 +118,7 @@ final class PlainFaults {
     private double shared(int output) {
         Channel own = evidence.outputs().get(output);
         DoubleStream others = IntStream.range(0, evidence.outputs().size())
-                .filter(o -> o != output && alike(own, evidence.outputs().get(o))).mapToDouble(evidence::mean);
+                .filter(o -> o != output && alike(own, evidence.outputs().get(o))).mapToDouble(evidence.measured()::mean);
         DoubleStream base = evidence.model().base().sensors().stream().filter(sensor -> alike(own, sensor))
                 .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
                 .mapToDouble(OptionalDouble::getAsDouble);

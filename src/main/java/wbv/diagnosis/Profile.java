@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.signal.ScalarProduct;
@@ -154,8 +155,8 @@ final class Profile {
             held[i] = state.x()[i] <= knob.low() + 1e-12 && g[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && g[i] < 0;
             held[i] |= fixed[i] || estimand.isPlain() && b[i] != 0;
         }
-        double[] p = Fitter.solve(curvature, g, held, 0);
-        double[] q = Fitter.solve(curvature, b, held, 0);
+        double[] p = DampedEquations.solve(curvature, g, held, 0);
+        double[] q = DampedEquations.solve(curvature, b, held, 0);
         double bq = ScalarProduct.of(b, q);
         double share = bq > 0 ? ScalarProduct.of(b, p) / bq : 0;
         double[] next = state.x().clone();

@@ -9,13 +9,14 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
-import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
 import wbv.signal.ScalarProduct;
@@ -97,7 +98,7 @@ final class Values {
             moments[i] = !moment && state.candidate().knobs().get(i).name().endsWith("time_s");
             held[i] = b[i] == 0 && (held[i] || moments[i]);
         }
-        double[] solved = Fitter.solve(curvature, b, held, 0);
+        double[] solved = DampedEquations.solve(curvature, b, held, 0);
         double white = ScalarProduct.of(b, solved);
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
         double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
@@ -197,7 +198,7 @@ final class Values {
                     .mapToDouble(stretch -> TWITCH * Math.abs(stretch.value(stretch.u(state.x())))).findFirst();
             // The input's sensor has its own small error, against which this one is seen.
             case GAIN -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
-            case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample());
+            case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.measured().sample());
             case TILT -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
             case ARM -> OptionalDouble.of(SmallError.Kind.ARM.deviation());
         };

@@ -70,7 +70,7 @@ class BothWindowsTest {
     @Test
     void scatterOfClocksGoesWithTheRecordedSample() {
         Evidence evidence = new Evidence(MODEL, recording(480, 4, 0, 0, 0));
-        assertEquals(1.0 / 480, evidence.sample(), 1e-12);
+        assertEquals(1.0 / 480, evidence.measured().sample(), 1e-12);
         assertEquals(60, evidence.recording().clock().rate(), 1e-9);
         Fitter fitter = new Fitter(evidence);
         Candidate baseline = Baseline.of(evidence);
@@ -86,7 +86,7 @@ class BothWindowsTest {
     void motionWhereNoiseIsReadIsNoNoise() {
         Recording recording = ride(50, 5, 20);
         Evidence evidence = new Evidence(MODEL, recording);
-        assertEquals(NOISE, evidence.inputNoise(), 0.25 * NOISE);
+        assertEquals(NOISE, evidence.measured().inputNoise(), 0.25 * NOISE);
         Model stiff = new Model("stiff", Optional.empty(), 'z', MODEL.base(), MODEL.bodies(), List.of(MODEL.links().get(0),
                 link("torso", "head", 1.3 * 22000, 160)));
         Diagnosis diagnosis = diagnosed(stiff, recording);

@@ -24,6 +24,7 @@ import wbv.body.law.MaxwellArm;
 import wbv.body.law.SaturatingSpring;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -232,7 +233,7 @@ class IntervalsTest {
         Estimand knee = Estimand.of(KNEE, with).get(0);
         double[][] curvature = new Normal(best).curvature();
         double[] b = knee.slope(best.x());
-        Profile profile = new Profile(fitter, best, curvature, knee, Fitter.solve(curvature, b, new boolean[b.length], 0),
+        Profile profile = new Profile(fitter, best, curvature, knee, DampedEquations.solve(curvature, b),
                 new boolean[b.length], 60);
         for (int side : new int[] {-1, 1}) {
             Profile.End end = profile.end(side);
@@ -307,7 +308,7 @@ class IntervalsTest {
             double[][] curvature = new Normal(state).curvature();
             double[] b = new double[state.x().length];
             b[2] = 1;
-            double[] solved = Fitter.solve(curvature, b, new boolean[b.length], 0);
+            double[] solved = DampedEquations.solve(curvature, b);
             ratios.add(new BlockScores(state, RATE).variance(solved) / solved[2]);
         }
         assertEquals(1, ratios.stream().mapToDouble(r -> r).average().orElseThrow(), 0.35, ratios.toString());

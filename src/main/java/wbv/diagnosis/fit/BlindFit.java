@@ -7,6 +7,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.signal.ScalarProduct;
 
 /**
@@ -98,7 +101,7 @@ public final class BlindFit {
     /** What enters at a place, as sensors with the state's errors read it, whitened. */
     private double[] way(Place place) {
         double[][] direction = place.direction(() -> linear, evidence.outputs().size(), evidence.excitation().omega().length);
-        double[][] way = evidence.atLines(evidence.excitation(), direction, state.frame().whitening().window());
+        double[][] way = state.frame().whitening().window().lines(evidence.excitation().omega(), direction);
         return state.frame().whitening().whiten(nuisances.seen(way, state.errors()));
     }
 
@@ -109,7 +112,7 @@ public final class BlindFit {
         private final List<double[]> directions = new ArrayList<>();
         private final Columns slopes;
         private final Columns errors;
-        private final Nuisances small;
+        private final BoundedLeastSquares small;
         private final double[][] curvature;
         private final double[][] cross;
 
@@ -122,9 +125,9 @@ public final class BlindFit {
             slopes = new Columns(Arrays.stream(state.slopes()).map(this::along).toArray(double[][]::new));
             errors = new Columns(IntStream.range(0, nuisances.count()).mapToObj(i -> along(nuisances.columns().get(i)))
                     .toArray(double[][]::new));
-            small = nuisances.less(errors.gram());
-            curvature = Nuisances.less(gram, slopes.gram());
-            cross = Nuisances.less(products, errors.products(slopes));
+            small = nuisances.squares().less(errors.gram());
+            curvature = BoundedLeastSquares.difference(gram, slopes.gram());
+            cross = BoundedLeastSquares.difference(products, errors.products(slopes));
         }
 
         private Window window() {
@@ -198,10 +201,11 @@ public final class BlindFit {
                 return new Left(at, new double[0], new double[0], Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
             }
             double[] along = along(at.raw());
-            double[] with = nuisances.products(at.raw());
+            double[] with = nuisances.columns().products(at.raw());
             double[] unseen = errors.products(along);
             Arrays.setAll(with, i -> with[i] - unseen[i]);
-            Nuisances.Explained explained = small.explain(with, ScalarProduct.of(at.raw(), at.raw()) - ScalarProduct.of(along, along), off);
+            BoundedLeastSquares.Explained explained = small.explain(with,
+                    ScalarProduct.of(at.raw(), at.raw()) - ScalarProduct.of(along, along), off);
             double cost = at.candidate().withPriors(explained.square() + ScalarProduct.of(explained.errors(), explained.errors()), at.x());
             errors.subtract(explained.errors(), along);
             return new Left(at, explained.errors(), along, explained.square(), cost);
@@ -209,7 +213,7 @@ public final class BlindFit {
 
         /** Where the next step leads, while errors that stand at no bound follow it. */
         double[] step(Left from, double damping) {
-            int[] free = IntStream.range(0, from.errors.length).filter(i -> !off[i] && !small.isHeld(i, from.errors[i])).toArray();
+            int[] free = small.free(from.errors, off);
             SymmetricFactor factor = small.factor(free);
             double[] residual = nuisances.removed(from.at.raw(), from.errors);
             double[] unseen = slopes.products(from.along);

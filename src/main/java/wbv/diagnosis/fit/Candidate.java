@@ -77,6 +77,11 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return knobs.size() - added.stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
     }
 
+    /** Whether knob i stands apart from the model's structure, as a law's numbers do and a hidden mass does not. */
+    boolean isApart(int i) {
+        return index(i) >= template.structure().parameters();
+    }
+
     /** The knob of a link's stiffness; empty where the link has none. */
     public OptionalInt stiffness(int link) {
         return knob(Slot.of(Slot.Kind.STIFFNESS, link));

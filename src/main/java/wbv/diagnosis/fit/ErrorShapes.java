@@ -5,7 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.fit.SmallError.Kind;
+import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.measured.SmallError.Kind;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.signal.Differentiator;
@@ -25,9 +26,9 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         double step = evidence.recording().clock().step();
         double[][] early = new double[evidence.outputs().size()][0];
-        for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
+        for (int o = 0; o < early.length && !evidence.measured().computed(); o++) {
             double[] slope = slope(evidence.measured(o), step);
-            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.sample()));
+            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.measured().sample()));
             Quantity quantity = evidence.outputs().get(o).quantity();
             if (quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE || evidence.onRig()) {
                 all.addSensor(evidence, o, slope);
@@ -36,7 +37,8 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
                 all.addPose(evidence, o, step);
             }
         }
-        int axes = evidence.isComputed() || evidence.model().base().further().isEmpty() ? 0 : evidence.model().base().sensors().size();
+        int axes = evidence.measured().computed() || evidence.model().base().further().isEmpty() ? 0
+                : evidence.model().base().sensors().size();
         for (int axis = 0; axis < axes; axis++) {
             if (axis > 0) {
                 all.addAxis(evidence, axis, step);
@@ -74,12 +76,12 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** How an accelerometer sits. */
     private void addPose(Evidence evidence, int o, double step) {
         Channel channel = evidence.outputs().get(o);
-        for (Channel across : evidence.companions(channel, Quantity.ACCELERATION)) {
+        for (Channel across : evidence.measured().companions(channel, Quantity.ACCELERATION)) {
             add(evidence, new SmallError(Kind.TILT, o, axis(across)), evidence.series(across));
             addSway(evidence, o, across);
         }
         addCentripetal(evidence, o, channel);
-        for (Channel rate : evidence.companions(channel, Quantity.ANGULAR_RATE)) {
+        for (Channel rate : evidence.measured().companions(channel, Quantity.ANGULAR_RATE)) {
             add(evidence, new SmallError(Kind.ARM, o, axis(rate)), slope(evidence.series(rate), step));
         }
     }
@@ -114,7 +116,8 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** @param series by output, of which an error of 1 adds this factor */
     private void addOfBase(Evidence evidence, SmallError error, double factor, double[][] series) {
         errors.add(error);
-        shapes.add(Arrays.stream(series).map(each -> scaled(each, factor * error.deviation(evidence.sample()))).toArray(double[][]::new));
+        shapes.add(Arrays.stream(series).map(each -> scaled(each, factor * error.deviation(evidence.measured().sample())))
+                .toArray(double[][]::new));
     }
 
     private static String axis(Channel channel) {
@@ -124,7 +127,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
     private void addSway(Evidence evidence, int output, Channel across) {
         char axis = across.axis() == 'x' ? 'y' : 'x';
-        for (Channel rate : evidence.companions(across, Quantity.ANGULAR_RATE)) {
+        for (Channel rate : evidence.measured().companions(across, Quantity.ANGULAR_RATE)) {
             if (rate.axis() == axis) {
                 double[] angle = integrated(evidence.series(rate), evidence.recording().clock().step());
                 double[] a = evidence.series(across);
@@ -138,7 +141,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
     /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
     private void addCentripetal(Evidence evidence, int output, Channel channel) {
-        List<Channel> rates = evidence.companions(channel, Quantity.ANGULAR_RATE);
+        List<Channel> rates = evidence.measured().companions(channel, Quantity.ANGULAR_RATE);
         if (!rates.isEmpty()) {
             double[] square = new double[evidence.measured(output).length];
             for (Channel rate : rates) {
@@ -154,7 +157,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** @param series that an error of 1 adds */
     private void add(Evidence evidence, SmallError error, double[] series) {
         double[][] own = new double[evidence.outputs().size()][0];
-        own[error.owner()] = scaled(series, error.deviation(evidence.sample()));
+        own[error.owner()] = scaled(series, error.deviation(evidence.measured().sample()));
         errors.add(error);
         shapes.add(own);
     }

@@ -61,7 +61,8 @@ public final class FittedScene {
         return new Scene(model, evidence.onRig(), fitted.structure(),
                 IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
                 IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
-                evidence::across, evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(),
+                evidence.measured()::across, evidence.measured()::companions,
+                IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(),
                 lines, evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep(),
                 scene.schedules());
     }

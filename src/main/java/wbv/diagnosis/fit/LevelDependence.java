@@ -3,6 +3,7 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
+import wbv.diagnosis.measured.Coherence;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

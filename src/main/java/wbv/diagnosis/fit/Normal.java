@@ -3,6 +3,8 @@ package wbv.diagnosis.fit;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.signal.ScalarProduct;
 
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
@@ -193,7 +195,7 @@ public final class Normal {
             Knob knob = candidate.knobs().get(i);
             held[i] = x[i] <= knob.low() + 1e-12 && gradient[i] > 0 || x[i] >= knob.high() - 1e-12 && gradient[i] < 0;
         }
-        double[] step = Fitter.solve(curvature, gradient, held, damping);
+        double[] step = DampedEquations.solve(curvature, gradient, held, damping);
         double scale = 1;
         for (int i = 0; i < n; i++) {
             boolean factor = candidate.knobs().get(i).unit() == 0;

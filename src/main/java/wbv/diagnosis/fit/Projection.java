@@ -1,7 +1,8 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.SymmetricFactor;
 
 /**
  * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
@@ -18,13 +19,12 @@ public final class Projection {
         Nuisances nuisances = state.frame().nuisances();
         free = free(state);
         columns = nuisances.columns().only(free);
-        factor = nuisances.factor(free);
+        factor = nuisances.squares().factor(free);
     }
 
     private static int[] free(Fitter.State state) {
         Nuisances all = state.frame().nuisances();
-        boolean[] off = all.off(state.candidate());
-        return IntStream.range(0, all.count()).filter(i -> !off[i] && !all.isHeld(i, state.errors()[i])).toArray();
+        return all.squares().free(state.errors(), all.off(state.candidate()));
     }
 
     /** Whether the same errors are free at another state of the same frame. */

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.measured.SmallError;
 
 /**
  * What the outputs' sensors read, over the whole recording, where a model is right: its free run, seen with the small errors that the
@@ -26,7 +27,7 @@ public final class Readings {
         Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
         Nuisances nuisances = state.frame().nuisances();
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
-        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
+        Lateness late = nuisances.delays().about(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
                 run.outputs().length);
         double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();
@@ -63,7 +64,7 @@ public final class Readings {
      */
     private void level(int output, double[] read) {
         Window fit = evidence.fit();
-        double off = evidence.isLevelled(
+        double off = evidence.spectra().isLevelled(
                 output) ? IntStream.range(fit.start(), fit.start() + fit.length()).filter(i -> evidence.valid(output)[i])
                         .mapToDouble(i -> evidence.measured(output)[i] - read[i]).average().orElse(0) : 0;
         for (int i = 0; i < read.length; i++) {
@@ -90,7 +91,7 @@ public final class Readings {
     public static Map<String, Map<String, Double>> errors(Evidence evidence, Fitter.State state) {
         Nuisances nuisances = state.frame().nuisances();
         boolean[] off = nuisances.off(state.candidate());
-        double sample = evidence.sample();
+        double sample = evidence.measured().sample();
         Map<String, Map<String, Double>> out = new LinkedHashMap<>();
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);

@@ -18,7 +18,6 @@ public final class Whitening {
     /** Lower triangular W, entry (i, j) at i m + j, complex by line; empty where it is zero at every line. */
     private final double[][] factor;
     private final int blind;
-    private final double logDeterminant;
 
     /**
      * @param noise     standard deviation of a sample, by output
@@ -33,7 +32,6 @@ public final class Whitening {
         double[][] entries = new double[m * m][2 * window.lines()];
         double[] s = new double[2 * m * m];
         double[] w = new double[2 * m * m];
-        double sum = 0;
         for (int line = 0; line < window.lines(); line++) {
             Arrays.fill(s, 0);
             for (int i = 0; i < m; i++) {
@@ -43,9 +41,6 @@ public final class Whitening {
                 source.add(s, line, m);
             }
             cholesky(s, m);
-            for (int i = 0; i < m; i++) {
-                sum += 2 * Math.log(s[2 * (i * m + i)]);
-            }
             invertTriangle(s, w, m);
             for (int e = 0; e < m * m; e++) {
                 entries[e][2 * line] = w[2 * e];
@@ -54,7 +49,6 @@ public final class Whitening {
         }
         factor = Arrays.stream(entries).map(entry -> Arrays.stream(entry).allMatch(part -> part == 0) ? new double[0] : entry)
                 .toArray(double[][]::new);
-        logDeterminant = sum;
     }
 
     /**
@@ -101,11 +95,6 @@ public final class Whitening {
     /** Independent numbers that show something. */
     public int degrees() {
         return size() - 2 * window.lines() * blind;
-    }
-
-    /** Sum over all lines of log det S, in the outputs' own units: what must not be left out where fits with different S are compared. */
-    double logDeterminant() {
-        return logDeterminant;
     }
 
     /** Whose lines it whitens. */

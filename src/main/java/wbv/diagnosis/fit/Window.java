@@ -103,6 +103,28 @@ public final class Window {
     }
 
     /**
+     * Spectra at other lines, seen at the lines of this window: by straight lines between.
+     *
+     * @param omega frequencies of the other lines, evenly spaced from zero [rad/s]
+     * @param spectra over these, by row. Neither is modified.
+     */
+    double[][] lines(double[] omega, double[][] spectra) {
+        double spacing = omega[1] / (2 * Math.PI);
+        double[][] out = new double[spectra.length][2 * lines];
+        for (int o = 0; o < out.length; o++) {
+            for (int line = 0; line < lines; line++) {
+                double at = frequency(line) / spacing;
+                int k = Math.min((int) at, omega.length - 2);
+                double share = at - k;
+                for (int part = 0; part < 2; part++) {
+                    out[o][2 * line + part] = spectra[o][2 * k + part] * (1 - share) + spectra[o][2 * k + 2 + part] * share;
+                }
+            }
+        }
+        return out;
+    }
+
+    /**
      * The series, in the unit of the spectrum, of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines
      * outside are 0.
      *

@@ -2,7 +2,7 @@ package wbv.diagnosis.learn;
 
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
-import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Windows;
 
 /**
  * The force that a link or a body would have to feel beside the linear model for that model and the recording to agree, whatever
@@ -136,11 +136,11 @@ public final class LatentForce {
     /** Whether the outputs were measured, and far enough from both ends of the record for the force to be known. */
     public boolean known(int sample) {
         return counted[Math.min(sample, counted.length - 1)] && (estimate.lowest() == 0
-                || sample >= margin(Evidence.SETTLING) && sample < whole.samples() - margin(END));
+                || sample >= margin(Windows.SETTLING) && sample < whole.samples() - margin(END));
     }
 
     private double margin(double time) {
-        return Math.min(time * whole.rate(), Evidence.SETTLING_SHARE * whole.samples());
+        return Math.min(time * whole.rate(), Windows.SETTLING_SHARE * whole.samples());
     }
 
     private double[] speed() {

@@ -5,16 +5,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import wbv.body.Assembly;
-import wbv.body.Model;
-import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Measured;
-import wbv.diagnosis.fit.NoiseLevel;
-import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.fit.InputWay;
 import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.measured.InputNoise;
+import wbv.diagnosis.measured.Measured;
+import wbv.diagnosis.measured.NoiseLevel;
+import wbv.diagnosis.measured.SmallError;
 import wbv.recording.Channel;
 import wbv.signal.ScalarProduct;
 
@@ -45,7 +45,7 @@ public final class InputLevel {
     public Map<Channel, Double> of(Fitter.State fit) {
         Map<Channel, Double> found = new LinkedHashMap<>();
         Assembly assembly = new Simulator(evidence.excitation()).equivalent(fit.candidate().at(fit.x()));
-        for (Evidence.InputWay way : ways(assembly)) {
+        for (InputWay way : ways(assembly)) {
             Evidence heard = evidence.with(found);
             Fitter.State seen = found.isEmpty() ? fit : new Fitter(heard).look(fit.candidate(), fit.x(), heard.fit());
             Entering entering = Entering.along(heard, seen, way.transfer().get());
@@ -57,8 +57,8 @@ public final class InputLevel {
         return found;
     }
 
-    private List<Evidence.InputWay> ways(Assembly assembly) {
-        return evidence.inputWays(evidence.excitation(), assembly);
+    private List<InputWay> ways(Assembly assembly) {
+        return InputWay.of(evidence, evidence.excitation(), assembly);
     }
 
     /** White noise is no stronger than the quietest band of what the sensor reads. */
@@ -69,9 +69,9 @@ public final class InputLevel {
     }
 
     /** Power of the noise of a sensor of 1, by line. */
-    private static double[] shape(Evidence.InputWay way, Window window) {
+    private static double[] shape(InputWay way, Window window) {
         double[] out = new double[window.lines()];
-        Arrays.setAll(out, line -> new Measured.InputNoise(1, way.order()).power(2 * Math.PI * window.frequency(line)));
+        Arrays.setAll(out, line -> new InputNoise(1, way.noise().order()).power(2 * Math.PI * window.frequency(line)));
         return out;
     }
 

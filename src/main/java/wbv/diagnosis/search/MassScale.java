@@ -10,6 +10,7 @@ import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.number.Modulator;
 import wbv.body.number.Numbers;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -72,10 +73,10 @@ public record MassScale(double factor, double deviation) {
             }
         }
         boolean[] held = Arrays.copyOf(state.held(), n + 1);
-        double[] best = Fitter.solve(a, b, held, 0);
+        double[] best = DampedEquations.solve(a, b, held, 0);
         double[] unit = new double[n + 1];
         unit[n] = 1;
-        double variance = Fitter.solve(a, unit, held, 0)[n];
+        double variance = DampedEquations.solve(a, unit, held, 0)[n];
         // Masses that contradict each other more than their user should tell that they are less well known (Birge 1932).
         double scatter = best[n] * best[n];
         for (int i : masses) {

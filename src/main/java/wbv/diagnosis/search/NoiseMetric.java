@@ -7,6 +7,7 @@ import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.InputWay;
 
 /**
  * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link wbv.diagnosis.fit.Whitening} has it,
@@ -31,9 +32,9 @@ public final class NoiseMetric {
     public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
         double[] omega = from.omega();
-        evidence.inputWays(from, assembly).stream().filter(input -> input.noise() > 0).forEach(input -> {
+        InputWay.of(evidence, from, assembly).stream().filter(input -> input.noise().deviation() > 0).forEach(input -> {
             double[] power = new double[omega.length];
-            Arrays.setAll(power, k -> input.power(omega[k]));
+            Arrays.setAll(power, k -> input.noise().power(omega[k]));
             sources.add(new Source(power, input.transfer().get()));
         });
         evidence.bodyForce().ifPresent(force -> {

@@ -12,7 +12,7 @@ import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -53,7 +53,7 @@ public final class OddSensor {
         Candidate with = base.candidate().with(hypothesis);
         double[] start = hypothesis.starts().get(0).values().clone();
         int output = ((Hypothesis.Addition.AtSensor) hypothesis.additions().get(0)).output();
-        start[0] = device(output).stream().mapToDouble(o -> base.frame().nuisances().delay(o, base.errors())).average().orElseThrow();
+        start[0] = device(output).stream().mapToDouble(o -> base.frame().nuisances().delays().of(o, base.errors())).average().orElseThrow();
         return refinement.polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }
 
@@ -66,9 +66,10 @@ public final class OddSensor {
      * them.
      */
     private List<Integer> odd(Fitter.State fit) {
-        double deviation = SmallError.Kind.DELAY.deviation() * evidence.sample();
+        double deviation = SmallError.Kind.DELAY.deviation() * evidence.measured().sample();
         return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
-            double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation)
+            double[] late = device(o).stream()
+                    .mapToDouble(channel -> fit.frame().nuisances().delays().of(channel, fit.errors()) / deviation)
                     .toArray();
             double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
             return Arrays.stream(late).map(z -> z * z).sum() > NEARLY * most

@@ -2,6 +2,7 @@ package wbv.diagnosis.search;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
 
@@ -48,6 +49,6 @@ public final class OwnNumbers {
         }
         double[] unit = new double[curvature.length];
         unit[coordinate] = 1;
-        return Math.max(0, Fitter.solve(curvature, unit, new boolean[unit.length], 0)[coordinate]);
+        return Math.max(0, DampedEquations.solve(curvature, unit)[coordinate]);
     }
 }

@@ -10,16 +10,18 @@ import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.DampedEquations;
+import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Columns;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Projection;
-import wbv.diagnosis.fit.SymmetricFactor;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.signal.ScalarProduct;
@@ -47,7 +49,7 @@ public final class Screening {
     private final Simulator.Linearised linear;
     private final double[][] outputs;
     private final Optional<Simulator.Bends> bends;
-    private final Nuisances.Lateness late;
+    private final Lateness late;
     private final SymmetricFactor factor;
     private final double[] gradient;
     private final double[] residual;
@@ -87,7 +89,7 @@ public final class Screening {
         this.outputs = there.outputs();
         this.bends = there.bends();
         Nuisances small = state.frame().nuisances();
-        this.late = small.lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
+        this.late = small.delays().lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
         Normal normal = new Normal(state);
         this.gradient = normal.gradient();
         this.residual = state.residual();
@@ -210,7 +212,7 @@ public final class Screening {
 
     /** A change of the outputs as a change of the residual. */
     private double[] seen(double[][] change) {
-        return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
+        return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
     /**
@@ -286,7 +288,7 @@ public final class Screening {
             }
             g[i] = rests.get(i).gradient();
         }
-        double[] s = Fitter.solve(a, g, new boolean[m], 0);
+        double[] s = DampedEquations.solve(a, g);
         double gain = 0;
         for (int i = 0; i < m; i++) {
             strength[i] = -s[i];

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import wbv.body.simulate.Excitation;
-import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Measured;
+import wbv.diagnosis.algebra.DampedEquations;
+import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
@@ -126,7 +126,7 @@ final class OtherInputs {
                 right[a * taps + i] = product(y, 0, series[a], lag(i));
             }
         }
-        double[] h = Fitter.solve(normal, right, new boolean[right.length], 0);
+        double[] h = DampedEquations.solve(normal, right);
         for (int a = 1; a < series.length; a++) {
             for (int i = 0; i < taps; i++) {
                 int lag = lag(i);

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
-import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
 import wbv.signal.ScalarProduct;
@@ -88,7 +88,7 @@ final class PlaneFit {
         double damping = 1e-2;
         for (int step = 0; step < steps && damping < MOST_DAMPING; step++) {
             double[] at = net.at();
-            double[] move = Fitter.solve(now.square, now.slope, new boolean[at.length], damping);
+            double[] move = DampedEquations.solve(now.square, now.slope, new boolean[at.length], damping);
             double[] spread = net.spread();
             double longest = IntStream.range(0, at.length).mapToDouble(i -> Math.abs(move[i]) / spread[i]).max().orElse(0);
             double shortened = Math.min(1, 1 / longest);   // no number goes farther at once than it is spread

@@ -14,7 +14,7 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.fit.Measured;
+import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;

@@ -19,8 +19,8 @@ import wbv.body.simulate.Excitation;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Question;
-import wbv.diagnosis.fit.Admission;
-import wbv.diagnosis.fit.Measured;
+import wbv.diagnosis.measured.AccelerationUnit;
+import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
@@ -280,7 +280,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
     /** Refuses a simulation that a chain does much better if it is taken for one in g or mg. */
     private static void requireSameUnit(Recording driven, Channel input, List<Channel> outputs, double missed) {
-        for (Map.Entry<String, Double> unit : Map.of("g", Admission.GRAVITY, "mg", Admission.GRAVITY / 1000).entrySet()) {
+        for (Map.Entry<String, Double> unit : Map.of("g", AccelerationUnit.GRAVITY, "mg", AccelerationUnit.GRAVITY / 1000).entrySet()) {
             double[] scaled = Arrays.stream(driven.values(input)).map(value -> value / unit.getValue()).toArray();
             if (plain(with(driven, input, scaled), input, outputs).worst() < Math.min(MOST, missed / 2)) {
                 throw new DataFault("looks to be in " + unit.getKey() + ", the recording in m/s2; save it in m/s2");

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.algebra.BoundedLeastSquares;
+import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -53,7 +55,8 @@ class NuisancesTest {
         Fitter.State with = fitted(after);
         assertEquals(without.reduced(), with.reduced(), 0.02);
         int o = before.outputs().indexOf(head);
-        double relative = with.frame().nuisances().delay(o, with.errors()) - without.frame().nuisances().delay(o, without.errors());
+        double relative = with.frame().nuisances().delays().of(o, with.errors())
+                - without.frame().nuisances().delays().of(o, without.errors());
         assertTrue(relative > 0.001 && relative < 0.0045, "the rest of it is the input's: " + relative);
     }
 
@@ -154,9 +157,10 @@ class NuisancesTest {
                 r[k] += size * nuisances.columns().get(i)[k];
             }
         }
-        Nuisances.Explained found = nuisances.explain(r, off);
-        assertTrue(IntStream.range(0, off.length).anyMatch(i -> nuisances.isHeld(i, found.errors()[i])), "some stand at their bounds");
-        assertTrue(!nuisances.isHeld(0, SmallError.MOST - 0.1) && nuisances.isHeld(0, -SmallError.MOST));
+        BoundedLeastSquares.Explained found = nuisances.explain(r, off);
+        assertTrue(IntStream.range(0, off.length).anyMatch(i -> nuisances.squares().isHeld(i, found.errors()[i])),
+                "some stand at their bounds");
+        assertTrue(!nuisances.squares().isHeld(0, SmallError.MOST - 0.1) && nuisances.squares().isHeld(0, -SmallError.MOST));
         double least = cost(nuisances, r, found.errors());
         assertEquals(least, found.square() + ScalarProduct.of(found.errors(), found.errors()), 1e-6 * least);
         for (int i = 0; i < off.length; i++) {

@@ -151,7 +151,7 @@ class PicturesTest {
         double error = rms(latent.force(), cube, latent);
         double size = rms(cube, new double[SAMPLES], latent);
         assertTrue(size > 3 * latent.pointNoise(), "the force must stand out: " + size + " of " + latent.pointNoise() + " N");
-        assertEquals(NOISE / trial.evidence().inputNoise(), error / latent.pointNoise(), 0.1, "error over what is stated");
+        assertEquals(NOISE / trial.evidence().measured().inputNoise(), error / latent.pointNoise(), 0.1, "error over what is stated");
         assertTrue(rms(latent.displacement(), trial.deflection(), latent) < 2 * latent.pointNoise() / 45e3,
                 "as well as the force is known");
     }
@@ -168,7 +168,7 @@ class PicturesTest {
     void nothingIsLatentWhereNothingIsMissing() {
         Trial trial = Trial.with(new CubicSpring(0), NOISE);
         LatentForce latent = trial.latent();
-        assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES],
+        assertEquals(NOISE / trial.evidence().measured().inputNoise(), rms(latent.force(), new double[SAMPLES],
                 latent) / latent.pointNoise(), 0.1);
     }
 
@@ -217,7 +217,7 @@ class PicturesTest {
     void residualMapIsAtTheNoiseWhereNothingIsMissingAndFarAboveWhereSomethingIs() {
         Trial quiet = Trial.with(new CubicSpring(0), NOISE);
         double level = power(pictures(quiet, quiet.bare(), quiet.bare(), List.of()).views().get(1).map().after());
-        assertEquals(Math.pow(NOISE / quiet.evidence().inputNoise(), 2), level, 0.1);
+        assertEquals(Math.pow(NOISE / quiet.evidence().measured().inputNoise(), 2), level, 0.1);
         Trial loud = Trial.with(new CubicSpring(CUBIC), NOISE);
         assertTrue(power(pictures(loud, loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
     }

@@ -102,7 +102,7 @@ class ScreeningTest {
         }
         double[][] gains = new double[asked.size()][RECORDINGS];
         for (int seed = 0; seed < RECORDINGS; seed++) {
-            Evidence evidence = new Evidence(chain(), recording(new Random(900 + seed)), OptionalDouble.of(NOISE));
+            Evidence evidence = new Evidence(chain(), recording(new Random(900 + seed)), OptionalDouble.of(NOISE), OptionalDouble.empty());
             Fitter.State base = new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
             Motion motion = new Motion(evidence, base.candidate().at(base.x()));
             for (Screening.Score score : new Screening(evidence, base, motion).scores(asked)) {

@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.algebra;
 
 import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
@@ -35,14 +35,5 @@ public final class SymmetricFactor {
         TriangularSolver_DDRM.solveL(lower.data, x, x.length);
         TriangularSolver_DDRM.solveTranL(lower.data, x, x.length);
         return x;
-    }
-
-    /** Logarithm of the matrix' determinant. */
-    double logDeterminant() {
-        double sum = 0;
-        for (int i = 0; i < lower.numRows; i++) {
-            sum += 2 * Math.log(lower.get(i, i));
-        }
-        return sum;
     }
 }

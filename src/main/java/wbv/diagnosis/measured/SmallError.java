@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import java.util.Locale;
 import wbv.body.SensorFault;
@@ -12,7 +12,7 @@ import wbv.body.SensorFault;
 public record SmallError(Kind kind, int owner, String axis) {
 
     /** Owner of an error that all outputs share. */
-    static final int INPUT = -1;
+    public static final int INPUT = -1;
 
     /** Standard deviations that a sensor's small error has at most. */
     public static final double MOST = 3;
@@ -39,7 +39,7 @@ public record SmallError(Kind kind, int owner, String axis) {
         AXIS_TILT("tilt_of_%s_rad", Math.toRadians(1)),
         /** Distance of a sensor of the base from where it should be [m], by the axis about which that shows. */
         AXIS_ARM("arm_of_%s_m", 0.005),
-        /** No sensor's: a sample of what the way to it answers otherwise than the model says, see {@link WrongWay} [1]. */
+        /** No sensor's: a sample of what the way to it answers otherwise than the model says [1], see {@code WrongWay}. */
         WAY("way", 1);
 
         private final String key;
@@ -57,7 +57,7 @@ public record SmallError(Kind kind, int owner, String axis) {
     }
 
     /** The name of its value, with the unit. */
-    String key() {
+    public String key() {
         return String.format(Locale.ROOT, kind.key, axis);
     }
 
@@ -70,22 +70,23 @@ public record SmallError(Kind kind, int owner, String axis) {
         return kind == Kind.DELAY || kind == Kind.AXIS_DELAY ? kind.deviation() * sample : kind.deviation();
     }
 
-    /** Standard deviations that it has at most: a sensor that errs more is named. */
-    double most() {
+    /** Standard deviations [1] that it has at most: a sensor that errs more is named. */
+    public double most() {
         return kind == Kind.WAY ? Double.POSITIVE_INFINITY : MOST;
     }
 
     /** Whether it is that of the sensor of the base's first axis, by which all are late or early alike. */
-    boolean isInput() {
+    public boolean isInput() {
         return owner == INPUT && kind == Kind.DELAY;
     }
 
-    boolean isDelay() {
+    /** Whether it says how late a sensor is: that of an output, or of the base's first axis. */
+    public boolean isDelay() {
         return kind == Kind.DELAY;
     }
 
     /** Whether a fault is a large one of these. */
-    boolean isLike(SensorFault fault) {
+    public boolean isLike(SensorFault fault) {
         return switch (kind) {
             case GAIN -> fault instanceof SensorFault.Gain;
             case DELAY -> fault instanceof SensorFault.Late;

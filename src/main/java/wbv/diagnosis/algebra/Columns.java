@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.algebra;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -11,9 +11,6 @@ import wbv.signal.ScalarProduct;
  * earlier one. Zeros are passed over.
  */
 public final class Columns {
-
-    /** Numbers of each vector that are multiplied before the next ones are fetched: so many of all vectors stay near the processor. */
-    private static final int BLOCK = 64;
 
     private final double[][] vectors;
     /** Where each vector's first number stands that is not zero, and what comes after its last; the same where it has none. */
@@ -55,20 +52,20 @@ public final class Columns {
     /**
      * Some of them.
      *
-     * @param which indices
+     * @param which indices. Not modified.
      */
-    Columns only(int[] which) {
+    public Columns only(int[] which) {
         return new Columns(IntStream.of(which).mapToObj(i -> vectors[i]).toArray(double[][]::new),
                 IntStream.of(which).map(i -> from[i]).toArray(), IntStream.of(which).map(i -> to[i]).toArray());
     }
 
     /** How many they are. */
-    int count() {
+    public int count() {
         return vectors.length;
     }
 
-    /** One of them. Not a copy. */
-    double[] get(int i) {
+    /** One of them, as long as each, in its unit. Not a copy. */
+    public double[] get(int i) {
         return vectors[i];
     }
 
@@ -107,59 +104,22 @@ public final class Columns {
         return IntStream.range(0, count()).filter(i -> from[i] <= begin && end <= to[i]).toArray();
     }
 
-    /**
-     * A block of all vectors is turned, so that the sums of one row run side by side: no sum waits for itself, and the machine adds several
-     * at once.
-     *
-     * @param out others by vectors. Modified.
-     */
+    /** @param out others by vectors. Modified. */
     private void addProducts(Columns others, boolean half, int begin, int end, double[][] out) {
         int[] mine = within(begin, end);
         int[] theirs = half ? mine : others.within(begin, end);
         double[][] sums = new double[theirs.length][mine.length];
-        double[][] turned = new double[BLOCK][mine.length];
-        for (int at = begin; at < end && sums.length > 0; at += BLOCK) {
-            int count = Math.min(BLOCK, end - at);
-            for (int j = 0; j < mine.length; j++) {
-                double[] vector = vectors[mine[j]];
-                for (int k = 0; k < count; k++) {
-                    turned[k][j] = vector[at + k];
-                }
-            }
+        TurnedBlock block = new TurnedBlock(mine.length);
+        for (int at = begin; at < end && sums.length > 0; at += TurnedBlock.LENGTH) {
+            block.fill(vectors, mine, at, Math.min(TurnedBlock.LENGTH, end - at));
             for (int i = 0; i < theirs.length; i++) {
-                addRow(turned, others.vectors[theirs[i]], at, count, half ? i + 1 : mine.length, sums[i]);
+                block.addProducts(others.vectors[theirs[i]], half ? i + 1 : mine.length, sums[i]);
             }
         }
         for (int i = 0; i < theirs.length; i++) {
             for (int j = 0; j < mine.length; j++) {
                 out[theirs[i]][mine[j]] += sums[i][j];
             }
-        }
-    }
-
-    /** @param row of sums, of which the first few are asked. Modified. */
-    private static void addRow(double[][] turned, double[] other, int from, int count, int asked, double[] row) {
-        int k = 0;
-        for (; k + 3 < count; k += 4) {
-            addFour(turned[k], turned[k + 1], turned[k + 2], turned[k + 3], other, from + k, asked, row);
-        }
-        for (; k < count; k++) {
-            double[] all = turned[k];
-            double x = other[from + k];
-            for (int j = 0; j < asked; j++) {
-                row[j] += x * all[j];
-            }
-        }
-    }
-
-    private static void addFour(double[] all0, double[] all1, double[] all2, double[] all3, double[] other, int at, int asked,
-            double[] row) {
-        double x0 = other[at];
-        double x1 = other[at + 1];
-        double x2 = other[at + 2];
-        double x3 = other[at + 3];
-        for (int j = 0; j < asked; j++) {
-            row[j] = row[j] + x0 * all0[j] + x1 * all1[j] + x2 * all2[j] + x3 * all3[j];
         }
     }
 
@@ -219,10 +179,10 @@ public final class Columns {
     /**
      * Subtracts multiples of them.
      *
-     * @param factors those that are 0 take nothing
-     * @param target as long. Modified.
+     * @param factors [1], one a vector; those that are 0 take nothing. Not modified.
+     * @param target as long as each, in the vectors' unit. Modified.
      */
-    void subtract(double[] factors, double[] target) {
+    public void subtract(double[] factors, double[] target) {
         int[] some = IntStream.range(0, factors.length).filter(i -> factors[i] != 0).toArray();
         int i = 0;
         for (; i + 3 < some.length; i += 4) {

@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
@@ -13,9 +13,10 @@ import wbv.signal.Segmentation;
  * @param share 1 for all, 0 in the mean where there is no relation, then below 0 as often as above
  * @param deviation standard deviation of the share where there is no relation
  */
-record Coherence(double share, double deviation) {
+public record Coherence(double share, double deviation) {
 
-    static final Coherence NONE = new Coherence(Double.NEGATIVE_INFINITY, 0);
+    /** Of what was too short to tell: less than any other. */
+    public static final Coherence NONE = new Coherence(Double.NEGATIVE_INFINITY, 0);
 
     /** Longest and shortest segments, in samples. */
     private static final int LONGEST = 256;
@@ -31,14 +32,21 @@ record Coherence(double share, double deviation) {
     private static final int FIRST = 2;
 
     /** By what frequencies count. */
-    enum Weight { INPUT, OUTPUT }
+    public enum Weight {
+        /** By how strong the first series is there. */
+        INPUT,
+        /** By how strong the second is. */
+        OUTPUT
+    }
 
     /**
+     * How much of y goes with x; {@link #NONE} where two segments do not fit in.
+     *
      * @param rate [Hz]
-     * @param x without gaps. Not modified.
-     * @param y likewise
+     * @param x a series without gaps, in its own unit. Not modified.
+     * @param y a series as long, in its own unit. Not modified.
      */
-    static Coherence of(double rate, double[] x, double[] y, Weight weight) {
+    public static Coherence of(double rate, double[] x, double[] y, Weight weight) {
         int length = LONGEST;
         while (length > SHORTEST && new Segmentation(rate, length, 0.5).independent(2L * x.length / length - 1) < FEWEST) {
             length /= 2;
@@ -68,12 +76,12 @@ record Coherence(double share, double deviation) {
     }
 
     /** The share from which on there is a relation. */
-    double sure() {
+    public double sure() {
         return SURE * deviation;
     }
 
     /** Whether there is a relation. */
-    boolean isSure() {
+    public boolean isSure() {
         return share > sure();
     }
 }

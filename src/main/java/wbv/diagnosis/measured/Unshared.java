@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
+import wbv.diagnosis.algebra.DampedEquations;
 import wbv.signal.ComplexSeries;
 import wbv.signal.Detrend;
 import wbv.signal.Segmentation;
@@ -205,7 +206,7 @@ final class Unshared {
                     a[i][j] = real.get(i, j);
                 }
             }
-            return Fitter.solve(a, first, new boolean[2 * m], 0)[0];
+            return DampedEquations.solve(a, first)[0];
         }
     }
 }

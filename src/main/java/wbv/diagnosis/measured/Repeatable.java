@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
 import java.util.Arrays;
 import java.util.List;
@@ -14,7 +14,12 @@ final class Dropouts {
     private static final int LEAST = 3;
     /** How often chance may take a recording for one with a dropout. */
     private static final double RARE = 0.01;
+    /** Lost samples of an input that a straight line stands for. */
+    private static final int BRIDGED = 2;
+    /** How long a sitter rings on [s]. */
+    private static final double RINGING = 1;
 
+    /** Samples that are missing, repeated or zero. */
     private final boolean[] lost;
     private final boolean[] valid;
     private final int found;
@@ -87,9 +92,23 @@ final class Dropouts {
         return valid;
     }
 
-    /** Samples that are missing, repeated or zero. */
-    boolean[] lost() {
-        return lost;
+    /**
+     * Samples at which what moves a sitter is known, if this sensor reads it: not in its gaps, nor while what nobody saw there still rings.
+     *
+     * @param rate [Hz]
+     */
+    boolean[] driven(double rate) {
+        boolean[] out = new boolean[lost.length];
+        Arrays.fill(out, true);
+        int ringing = (int) (RINGING * rate);
+        int run = 0;
+        for (int i = 0; i < lost.length; i++) {
+            run = lost[i] ? run + 1 : 0;
+            if (run > BRIDGED) {
+                Arrays.fill(out, i - run + 1, Math.min(lost.length, i + 1 + ringing), false);
+            }
+        }
+        return out;
     }
 
     /** Samples in which the sensor repeats itself or reads zero. */

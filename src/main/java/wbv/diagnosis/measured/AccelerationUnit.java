@@ -1,22 +1,18 @@
-package wbv.diagnosis.fit;
+package wbv.diagnosis.measured;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import wbv.body.Model;
 import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
-import wbv.recording.Recording;
 import wbv.signal.ScalarProduct;
 
-/** Refuses recordings that no diagnosis can be made of, each with its reason. */
-public final class Admission {
+/** Refuses rides whose accelerations look to be in another unit than m/s², as the model, the sitter and the sensors tell. */
+public final class AccelerationUnit {
 
-    private static final double LEAST_COHERENCE = 0.4;
     /** Standard gravity [m/s²]. */
     public static final double GRAVITY = 9.80665;
     /** By how much one unit of acceleration is another. */
@@ -33,82 +29,33 @@ public final class Admission {
     /** Noise so far below a signal is no sensor's: what was computed has no unit to be told by. */
     private static final double COMPUTED = 1e-3;
 
-    private Admission() {}
-
-    /** Refuses a channel that stands still where the model needs one that moves. */
-    static void moving(Model model, Recording recording) {
-        for (Channel input : model.excitations()) {
-            still(recording, input).ifPresent(value -> {
-                throw new DataFault(input + " is " + value + " throughout: nothing excites the model; is it the right input?");
-            });
-        }
-        for (Channel output : model.outputs()) {
-            still(recording, output).ifPresent(value -> {
-                throw new DataFault(output + " is " + value + " throughout: nothing was measured there; take the sensor out of "
-                        + "the model");
-            });
-        }
-    }
-
-    /** The only value that a channel has. */
-    private static Optional<Double> still(Recording recording, Channel channel) {
-        double[] present = Arrays.stream(recording.values(channel)).filter(v -> !Double.isNaN(v)).distinct().limit(2).toArray();
-        return present.length == 1 ? Optional.of(present[0]) : Optional.empty();
-    }
-
-    /**
-     * Refuses a recording without excitation, and one whose input does not cause the outputs.
-     *
-     * @param rate [Hz]
-     * @param base what the input measured, mean removed
-     * @param noise of its sensor
-     * @param measured by output. None modified.
-     */
-    static void excited(double rate, Channel input, double[] base, double noise, double[][] measured) {
-        double rms = rms(base);
-        if (!(rms > 3 * noise)) {
-            throw fault("%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride", input, rms,
-                    input.quantity().unit(), noise);
-        }
-        Coherence best = Coherence.NONE;
-        for (double[] output : measured) {
-            Coherence own = Coherence.of(rate, base, output, Coherence.Weight.INPUT);
-            best = own.share() > best.share() ? own : best;
-        }
-        if (best.share() < LEAST_COHERENCE || !best.isSure()) {
-            throw fault(
-                    "%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f beyond what chance "
-                            + "gives, at least %.2f is needed; is it the right input, in the same time?",
-                    input, Math.max(0, best.share()),
-                    Math.max(LEAST_COHERENCE, best.sure()));
-        }
-    }
+    private AccelerationUnit() {}
 
     /**
      * Refuses accelerations that look to be in g or mg: an output that is what the model gives but for that factor, a ride
      * that no person would sit through, or one that no sensor would measure so quietly.
      */
-    public static void units(Evidence evidence) {
-        List<Channel> inputs = evidence.model().excitations();
-        if (evidence.onRig() || inputs.get(0).quantity() != Quantity.ACCELERATION) {
+    public static void check(Measured measured) {
+        List<Channel> inputs = measured.model().excitations();
+        if (measured.onRig() || inputs.get(0).quantity() != Quantity.ACCELERATION) {
             return;
         }
-        double[][] simulated = new Simulator(evidence.whole()).outputs(evidence.model().assembly());
+        double[][] simulated = new Simulator(measured.input()).outputs(measured.model().assembly());
         for (int o = 0; o < simulated.length; o++) {
-            Channel output = evidence.outputs().get(o);
+            Channel output = measured.outputs().get(o);
             if (output.quantity() == Quantity.ACCELERATION) {
-                factor(simulated[o], evidence.measured(o)).ifPresent(by -> {
+                factor(simulated[o], measured.series(o)).ifPresent(by -> {
                     throw fault("%s reads %.4g times what the model makes of %s: one of the two looks to be in %s; "
                             + "say the unit in a column map (--map)", output, by, inputs.get(0), unit(by).orElse(""));
                 });
             }
         }
-        double level = rms(evidence.whole().series(evidence.whole().baseSpectrum()));
+        double level = rms(measured.input().series(measured.input().baseSpectrum()));
         if (level > UNBEARABLE) {
             throw fault("%s moves by %.3g m/s² rms, more than a person sits through: it looks to be in mg; "
                     + "say the unit in a column map (--map)", inputs.get(0), level);
         }
-        double noise = evidence.inputNoise();
+        double noise = measured.inputNoise();
         if (level < FAINT && noise < TOO_QUIET && noise > COMPUTED * level) {
             throw fault("%s moves by %.3g m/s² rms with %.2g m/s² of noise, both faint: it looks to be in g; "
                     + "say the unit, be it m/s2, in a column map (--map)", inputs.get(0), level, noise);

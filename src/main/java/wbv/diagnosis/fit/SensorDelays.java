@@ -1,0 +1,101 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import wbv.diagnosis.measured.SmallError;
+
+/**
+ * How late sensors are. Delays alone of all small errors are not linear up to the highest line that counts: they are exact about where a
+ * fit has them, and only what they are more or less counts to first order.
+ */
+public final class SensorDelays {
+
+    private final List<SmallError> errors;
+    private final double sample;
+    /** Delays that are exact, in standard deviations; 0 for all other errors. */
+    private final double[] exact;
+
+    /**
+     * None yet.
+     *
+     * @param sample time between two samples as they were recorded [s]
+     */
+    SensorDelays(List<SmallError> errors, double sample) {
+        this(errors, sample, new double[errors.size()]);
+    }
+
+    private SensorDelays(List<SmallError> errors, double sample, double[] exact) {
+        this.errors = errors;
+        this.sample = sample;
+        this.exact = exact;
+    }
+
+    /**
+     * The same, exact about these sizes.
+     *
+     * @param sizes of all errors, in standard deviations. Not modified.
+     */
+    SensorDelays about(double[] sizes) {
+        return new SensorDelays(errors, sample,
+                IntStream.range(0, sizes.length).mapToDouble(i -> errors.get(i).isDelay() ? sizes[i] : 0).toArray());
+    }
+
+    /**
+     * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault,
+     * which takes any share of what all have in common, nothing but this tells how late the input is.
+     *
+     * @param sizes in standard deviations. Not modified.
+     * @param off errors that are not asked, see {@link Nuisances#off}
+     */
+    double[] likeliest(double[] sizes, boolean[] off) {
+        int[] delayed = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isDelay() && !errors.get(i).isInput()).toArray();
+        double[] out = sizes.clone();
+        if (IntStream.range(0, sizes.length).anyMatch(i -> off[i] && errors.get(i).isInput())) {
+            // All that the outputs have in common is the input's.
+            double common = IntStream.of(delayed).mapToDouble(i -> sizes[i]).average().orElse(0);
+            IntStream.of(delayed).forEach(i -> out[i] -= common);
+        } else if (IntStream.of(delayed).anyMatch(i -> off[i])) {
+            int input = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isInput()).findFirst().orElseThrow();
+            int[] own = IntStream.of(delayed).filter(i -> !off[i]).toArray();
+            // Least Σ (d + input)² + input² over the others' delays d against the input's.
+            out[input] = -IntStream.of(own).mapToDouble(i -> sizes[i] - sizes[input]).sum() / (own.length + 1);
+            IntStream.of(own).forEach(i -> out[i] = sizes[i] - sizes[input] + out[input]);
+        }
+        return out;
+    }
+
+    /**
+     * How late the sensors are for whose delays the errors are exact.
+     *
+     * @param omega by line of what is simulated [rad/s]
+     * @param off errors that are not asked, see {@link Nuisances#off}. Neither is modified.
+     */
+    public Lateness lateness(double[] omega, boolean[] off, int outputs) {
+        double[] delay = new double[outputs];
+        for (int i = 0; i < exact.length; i++) {
+            double own = off[i] || exact[i] == 0 ? 0 : errors.get(i).deviation(sample) * exact[i];
+            for (int o = 0; o < outputs; o++) {
+                delay[o] += errors.get(i).isInput() ? -own : errors.get(i).owner() == o ? own : 0;
+            }
+        }
+        return new Lateness(Arrays.stream(delay)
+                .mapToObj(late -> late == 0 ? new double[0] : Lateness.factor(omega.length, k -> omega[k], 1, late))
+                .toArray(double[][]::new));
+    }
+
+    /** Sizes of errors, in standard deviations, that take back what is exact, where they are asked. */
+    double[] takenBack(boolean[] off) {
+        return IntStream.range(0, exact.length).mapToDouble(i -> off[i] ? 0 : -exact[i]).toArray();
+    }
+
+    /**
+     * How late an output's own sensor is [s].
+     *
+     * @param sizes one an error, in standard deviations [1]. Not modified.
+     */
+    public double of(int output, double[] sizes) {
+        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
+                .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();
+    }
+}

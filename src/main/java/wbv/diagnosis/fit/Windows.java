@@ -1,0 +1,88 @@
+package wbv.diagnosis.fit;
+
+import java.util.Locale;
+import java.util.stream.IntStream;
+import wbv.diagnosis.measured.Measured;
+import wbv.recording.DataFault;
+
+/**
+ * The two stretches of a recording that it is judged in.
+ *
+ * @param fit     what models are fitted in
+ * @param heldOut what is kept from fits, to prove them
+ */
+public record Windows(Window fit, Window heldOut) {
+
+    /** Time from the start in which motion is still that of what was before [s], and part of a short record that it is at most. */
+    public static final double SETTLING = 2;
+    /** The most of a record that this may take, as a share of its length. */
+    public static final double SETTLING_SHARE = 0.05;
+    /** Time at the end that answers to what comes after it, which no filter has seen [s]. */
+    private static final double END = 0.6;
+    /** Part of an output that must count. */
+    private static final double LEAST_VALID = 0.25;
+
+    /**
+     * Fitted at the beginning and proved at the end; on a rig over all samples and with constants.
+     *
+     * @throws DataFault if too little of an output of a sitter counts in one of them
+     */
+    static Windows of(Measured measured) {
+        int n = measured.recording().length();
+        int split = measured.split();
+        double rate = measured.recording().clock().rate();
+        double settling = measured.onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate;
+        int start = measured.model().driven() ? 0 : (int) Math.round(settling);
+        int proof = measured.isChosen() ? split + start : split;   // another ride begins with what nobody saw before it
+        return measured.onRig() ? new Windows(new Window(start, split - start, rate, 0), new Window(proof, n - proof, rate, 0))
+                : new Windows(new Window(start, split - start, rate), toEnd(proof, measured)).counted(measured);
+    }
+
+    /** Fitted at the end and proved at the beginning, for what shows only late. */
+    static Windows late(Measured measured) {
+        int start = start(measured);
+        int split = measured.recording().length() - measured.split();
+        return new Windows(toEnd(split, measured), new Window(start, split - start, measured.recording().clock().rate()));
+    }
+
+    /** Fitted in all there is, which proves nothing then. */
+    static Windows whole(Measured measured) {
+        Window all = toEnd(start(measured), measured);
+        return new Windows(all, all);
+    }
+
+    private static int start(Measured measured) {
+        return (int) Math.round(SETTLING * measured.recording().clock().rate());
+    }
+
+    private static Window toEnd(int from, Measured measured) {
+        double rate = measured.recording().clock().rate();
+        return new Window(from, measured.recording().length() - from - (int) (END * rate), rate);
+    }
+
+    /** Whether it is the end of the recording that is fitted. */
+    boolean isLate() {
+        return fit.start() > heldOut.start();
+    }
+
+    private Windows counted(Measured measured) {
+        counted(measured, fit, "fit");
+        counted(measured, heldOut, "prove anything on");
+        return this;
+    }
+
+    private static void counted(Measured measured, Window window, String what) {
+        double rate = measured.recording().clock().rate();
+        int end = window.start() + window.length();
+        for (int o = 0; o < measured.outputs().size(); o++) {
+            boolean[] valid = measured.valid(o);
+            long counted = IntStream.range(window.start(), end).filter(i -> valid[i]).count();
+            if (counted < LEAST_VALID * window.length()) {
+                throw new DataFault(String.format(Locale.ROOT,
+                        "between %.4g and %.4g s only %.0f %% of %s counts, the rest is lost there or in the input: "
+                                + "too little to %s; cut the recording, or take the sensor out of the model",
+                        window.start() / rate, end / rate, 100.0 * counted / window.length(), measured.outputs().get(o), what));
+            }
+        }
+    }
+}

@@ -1,0 +1,200 @@
+package wbv.diagnosis.measured;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import wbv.body.Model;
+import wbv.body.simulate.Excitation;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/** A recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the sensors are. */
+public final class Measured {
+
+    /** Share of a recording that models are fitted to; the rest proves them. */
+    public static final double FIT_SHARE = 0.7;
+
+    private final Model model;
+    private final boolean computed;
+    private final Recording recording;
+    private final Excitation input;
+    private final List<MeasuredOutput> outputs;
+    private final List<Channel> channels;
+    private final double sample;
+    private final boolean chosen;
+    private final int split;
+    private final SensorNoise.Levels noise;
+
+    /**
+     * A recording of a sitter that is faster than about 60 Hz is slowed down.
+     *
+     * @param stated standard deviation of a sample of every sensor of the outputs' kind, in its unit, where it is known
+     * @param computed whether a simulation gave it
+     * @param provedFrom moment [s] from which on it proves what was fitted, see {@link wbv.diagnosis.Question#provedFrom}
+     */
+    public Measured(Model model, Recording recording, OptionalDouble stated, boolean computed, OptionalDouble provedFrom) {
+        this.model = model;
+        this.computed = computed;
+        channels = model.outputs();
+        if (channels.isEmpty()) {
+            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
+        }
+        this.recording = onRig() ? recording : SitterRate.usual(recording);
+        sample = recording.clock().step();
+        chosen = provedFrom.isPresent();
+        split = chosen ? (int) this.recording.clock().nearest(provedFrom.getAsDouble())
+                : (int) Math.round(FIT_SHARE * this.recording.length());
+        Admission.longEnough(model, this.recording);
+        Admission.moving(model, recording);
+        input = Excitation.of(model, this.recording, this.recording.length());
+        boolean[] driven = driven();
+        outputs = channels.stream().map(channel -> onRig() ? MeasuredOutput.onRig(recording, channel)
+                : MeasuredOutput.ofSitter(recording, this.recording, channel, driven)).toList();
+        // Fewer samples hold less of a noise that is white.
+        double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
+        SensorNoise reading = new SensorNoise(model, this.recording, outputs, computed,
+                stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated);
+        noise = onRig() ? reading.onRig(input, split) : reading.ofSitter();
+        if (!onRig()) {
+            model.base().sensor().filter(base -> base.quantity() == Quantity.ACCELERATION)
+                    .ifPresent(base -> Admission.excited(this.recording.clock().rate(), base, input.series(input.baseSpectrum()),
+                            inputNoise(), outputs.stream().map(MeasuredOutput::series).toArray(double[][]::new)));
+        }
+    }
+
+    private Measured(Measured like, int from, int length) {
+        model = like.model;
+        computed = like.computed;
+        recording = like.recording.part(from, from + length);
+        channels = like.channels;
+        input = Excitation.of(model, recording, length);
+        outputs = like.outputs.stream().map(output -> output.part(from, from + length)).toList();
+        sample = like.sample;
+        chosen = like.chosen;
+        split = length;
+        noise = like.noise;
+    }
+
+    /** Where what moves a sitter is known. */
+    private boolean[] driven() {
+        return model.base().sensor().filter(sensor -> !onRig())
+                .map(sensor -> new Dropouts(recording, sensor).driven(recording.clock().rate())).orElseGet(() -> {
+                    boolean[] all = new boolean[recording.length()];
+                    Arrays.fill(all, true);
+                    return all;
+                });
+    }
+
+    /** A stretch of it, as if no more had been recorded; what is known of the sensors stays known. */
+    public Measured part(int from, int length) {
+        return new Measured(this, from, length);
+    }
+
+    /** The user's. */
+    public Model model() {
+        return model;
+    }
+
+    /** Whether the model is of a test rig, see {@link Model#subject}. */
+    public boolean onRig() {
+        return model.isRig();
+    }
+
+    /** Whether no sensor measured it, so that none can be wrong by a little. */
+    public boolean computed() {
+        return computed;
+    }
+
+    /** What is judged by: a fast one of a sitter brought to about 60 Hz, any other as it was read. */
+    public Recording recording() {
+        return recording;
+    }
+
+    /** Channels of the model's sensors, in the order in which all arrays by output have them. */
+    public List<Channel> outputs() {
+        return channels;
+    }
+
+    /** The whole input. */
+    public Excitation input() {
+        return input;
+    }
+
+    /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
+    public double[] series(int output) {
+        return outputs.get(output).series();
+    }
+
+    /** What was removed of {@link #series}, in the channel's unit. */
+    public double mean(int output) {
+        return outputs.get(output).mean();
+    }
+
+    /** Samples of an output that count. Not a copy. */
+    public boolean[] valid(int output) {
+        return outputs.get(output).valid();
+    }
+
+    /** Samples in which the whole sensor of an output repeats itself or reads zero. */
+    public int repeated(int output) {
+        return outputs.get(output).repeated();
+    }
+
+    /** First sample that serves for the proof only. */
+    public int split() {
+        return split;
+    }
+
+    /** Whether the user said what proves. */
+    public boolean isChosen() {
+        return chosen;
+    }
+
+    /**
+     * Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it.
+     */
+    public double sample() {
+        return sample;
+    }
+
+    /** Standard deviation of a sample of the input, in its unit. */
+    public double inputNoise() {
+        return noise.inputs().get(0).deviation();
+    }
+
+    /** That of each sensor of the base, by axis; of measured forces that of the first. */
+    public List<InputNoise> inputNoises() {
+        return noise.inputs();
+    }
+
+    /** Standard deviation of a sample, by output, in its unit. Not a copy. */
+    public double[] noise() {
+        return noise.outputs();
+    }
+
+    /** Channels of another kind, or of other axes than the sensor's own, that were recorded where it is. */
+    public List<Channel> companions(Channel sensor, Quantity quantity) {
+        return recording.channels().stream()
+                .filter(channel -> channel.location().equals(sensor.location()) && channel.quantity() == quantity
+                        && channel.axis() != sensor.axis())
+                .toList();
+    }
+
+    /** Channels of other axes than the model's that may act beside the input: recorded at a place, and no part of the model. */
+    public List<Channel> across(String location, Quantity quantity) {
+        return recording.channels().stream().filter(channel -> channel.location().equals(location) && channel.quantity() == quantity
+                && channel.axis() != model.axis() && !model.excitations().contains(channel) && !channels.contains(channel)).toList();
+    }
+
+    /**
+     * A series less its mean, in its unit, a new array.
+     *
+     * @param x by sample, of any unit. Not modified.
+     */
+    public static double[] centred(double[] x) {
+        double mean = Arrays.stream(x).average().orElse(0);
+        return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+}

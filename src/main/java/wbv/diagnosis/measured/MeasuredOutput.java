@@ -1,0 +1,63 @@
+package wbv.diagnosis.measured;
+
+import java.util.Arrays;
+import wbv.body.simulate.Excitation;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+
+/**
+ * What was measured at an output of a model, and which samples of it count.
+ *
+ * @param channel of its sensor
+ * @param series by sample, gaps bridged, of a sitter without its mean [unit of the channel]. Not a copy
+ * @param mean what was taken from the series, in its unit
+ * @param valid samples that count. Not a copy
+ * @param repeated samples in which the whole sensor repeats itself or reads zero
+ */
+record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] valid, int repeated) {
+
+    MeasuredOutput {
+        if (series.length != valid.length) {
+            throw new IllegalArgumentException(channel + ": " + series.length + " samples, of which " + valid.length + " may count");
+        }
+    }
+
+    /** On a rig constants count, and rounded values of a slow stroke repeat without being lost. */
+    static MeasuredOutput onRig(Recording recording, Channel channel) {
+        double[] raw = recording.values(channel);
+        return new MeasuredOutput(channel, Excitation.bridged(raw), 0, present(raw), 0);
+    }
+
+    /**
+     * Of a sitter: neither what its sensor lost counts, nor what it read while the input was not known.
+     *
+     * @param recorded as it was read
+     * @param slowed the same at a sitter's rate, in which what was lost is missing already
+     * @param driven samples of the latter in which the input is known. Not modified.
+     */
+    static MeasuredOutput ofSitter(Recording recorded, Recording slowed, Channel channel, boolean[] driven) {
+        double[] raw = slowed.values(channel);
+        Dropouts dropouts = new Dropouts(recorded, channel);
+        boolean[] valid = slowed == recorded ? dropouts.valid() : present(raw);
+        double[] counted = raw.clone();
+        for (int i = 0; i < counted.length; i++) {
+            valid[i] = valid[i] && driven[i];
+            counted[i] = valid[i] ? raw[i] : Double.NaN;
+        }
+        double mean = Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
+        return new MeasuredOutput(channel, Measured.centred(Excitation.bridged(counted)), mean, valid, dropouts.found());
+    }
+
+    private static boolean[] present(double[] x) {
+        boolean[] out = new boolean[x.length];
+        for (int i = 0; i < x.length; i++) {
+            out[i] = !Double.isNaN(x[i]);
+        }
+        return out;
+    }
+
+    /** A stretch of it; what is known of the whole stays known. */
+    MeasuredOutput part(int from, int to) {
+        return new MeasuredOutput(channel, Arrays.copyOfRange(series, from, to), mean, Arrays.copyOfRange(valid, from, to), repeated);
+    }
+}
