@@ -39,14 +39,14 @@ record MatrixSlope(List<Entry> entries, List<Single> carried, List<Single> read)
             double[] moved = at.clone();
             double h = STEP * spread[p];
             moved[p] = at[p] + h;
-            PlaneNet.Matrices high = net.at(moved).matrices();
+            PlaneMatrices high = PlaneMatrices.of(net.at(moved));
             moved[p] = at[p] - h;
-            PlaneNet.Matrices low = net.at(moved).matrices();
+            PlaneMatrices low = PlaneMatrices.of(net.at(moved));
             return new MatrixSlope(entries(high, low, h), singles(high.carried(), low.carried(), h), singles(high.read(), low.read(), h));
         }).toList();
     }
 
-    private static List<Entry> entries(PlaneNet.Matrices high, PlaneNet.Matrices low, double h) {
+    private static List<Entry> entries(PlaneMatrices high, PlaneMatrices low, double h) {
         List<Entry> out = new ArrayList<>();
         int n = high.mass().length;
         for (int i = 0; i < n; i++) {

@@ -24,7 +24,7 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
      * @param least share of an output that even the right arrangement misses
      */
     static PlaneNormal of(PlaneSpectra spectra, PlaneNet net, double least) {
-        PlaneNet.Matrices matrices = net.matrices();
+        PlaneMatrices matrices = PlaneMatrices.of(net);
         List<MatrixSlope> slopes = MatrixSlope.of(net);
         int lines = spectra.omega().length;
         int piece = (lines + PIECES - 1) / PIECES;
@@ -70,7 +70,7 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
     }
 
     /** The part of some lines, unweighed. */
-    private static PlaneNormal part(PlaneSpectra spectra, PlaneNet.Matrices matrices, List<MatrixSlope> slopes, int from, int to) {
+    private static PlaneNormal part(PlaneSpectra spectra, PlaneMatrices matrices, List<MatrixSlope> slopes, int from, int to) {
         int numbers = slopes.size();
         int outputs = spectra.outputs().size();
         PlaneNormal out = zero(numbers, outputs);

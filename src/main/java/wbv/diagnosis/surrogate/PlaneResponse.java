@@ -15,7 +15,7 @@ final class PlaneResponse {
     private final double[] omega;
     private final double[][] base;
     private final List<PlaneSpectra.Output> outputs;
-    private final PlaneNet.Matrices matrices;
+    private final PlaneMatrices matrices;
     private final int n;
     /** K + iωC - ω²M, and what it is solved for: first the base's motion, then a force in place of each output. */
     private final ZMatrixRMaj dynamic;
@@ -27,7 +27,7 @@ final class PlaneResponse {
     private final double[] felt;
     private int line;
 
-    PlaneResponse(PlaneSpectra spectra, PlaneNet.Matrices matrices) {
+    PlaneResponse(PlaneSpectra spectra, PlaneMatrices matrices) {
         this.omega = spectra.omega();
         this.base = spectra.base();
         this.outputs = spectra.outputs();

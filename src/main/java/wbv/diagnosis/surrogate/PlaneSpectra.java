@@ -26,7 +26,7 @@ record PlaneSpectra(double[] omega, double[][] base, List<Output> outputs) {
     /** A sitter's resonances are as wide as many lines; so many over the band tell them all. */
     private static final int MOST_LINES = 400;
     /** Along x, along z, about y. */
-    private static final int MOTIONS = 3;
+    private static final int MOTIONS = PlaneNet.MOTIONS;
 
     /**
      * An output.

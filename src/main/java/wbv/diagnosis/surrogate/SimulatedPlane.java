@@ -1,7 +1,5 @@
 package wbv.diagnosis.surrogate;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import wbv.body.Model;
-import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Measured;
@@ -23,8 +20,6 @@ import wbv.recording.Recording;
  * and the rigid bodies that do the same.
  */
 final class SimulatedPlane {
-
-    private static final ObjectMapper JSON = new ObjectMapper();
 
     private final Recording together;
     private final List<Channel> axes;
@@ -127,14 +122,8 @@ final class SimulatedPlane {
         Map<String, List<String>> sensors = new LinkedHashMap<>();
         places.forEach(place -> sensors.put(place,
                 outputs.stream().filter(output -> output.location().equals(place)).map(Channel::toString).toList()));
-        try {
-            return ModelFile.parse(JSON.writeValueAsString(
-                    net.described("surrogate", axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
-                            mass / net.mass())),
-                    "surrogate");
-        } catch (JsonProcessingException never) {
-            throw new IllegalStateException(never);
-        }
+        return new PlaneDescription(net, axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
+                mass / net.mass()).model();
     }
 
     private PlaneFit fit() {
