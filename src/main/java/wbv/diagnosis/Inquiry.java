@@ -111,7 +111,10 @@ final class Inquiry {
         return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
     }
 
-    /** Who takes what a person does who sits still for noise, where that is all that is left, on smooth stretches and on rough ones alike. */
+    /**
+     * The same where what a person does who sits still counts as noise, if that is all that is left, on smooth stretches and on rough ones
+     * alike.
+     */
     Optional<Inquiry> knowingWhoSitsStill() {
         // A tone would be taken for a part of a force that has all frequencies.
         return SpectralLines.standOut(base().residual(), evidence.fit()) ? Optional.empty()
