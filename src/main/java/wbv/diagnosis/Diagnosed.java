@@ -3,9 +3,16 @@ package wbv.diagnosis;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.PairSearch;
+import wbv.diagnosis.search.Refinement;
 
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
 public final class Diagnosed {
@@ -31,6 +38,45 @@ public final class Diagnosed {
     /** What it came to. */
     public Diagnosis diagnosis() {
         return diagnosis;
+    }
+
+    /** Whether nothing is claimed of any mechanism. */
+    boolean isUnexplained() {
+        return diagnosis.verdict().isRefusal();
+    }
+
+    /** Whether a hypothesis explains the mismatch: a push, which may be anything, is none. */
+    boolean isByHypothesis() {
+        return !isUnexplained() && isNear();
+    }
+
+    /** Whether a hypothesis was found that may be what is missing. */
+    private boolean isNear() {
+        return fits.best() != fits.base();
+    }
+
+    /**
+     * Whether nothing explains a mismatch that may be several mechanisms or a push: not one that enters in a link or at a sensor alone,
+     * where all of the library was tried and nothing came near.
+     */
+    boolean isOpen() {
+        List<Diagnosis.Latent> alone = diagnosis.latent().stream().filter(place -> Refinement.excess(place.reduced()) <= PairSearch.QUIET)
+                .toList();
+        // A body on the base feels what its link does: the two leave the same.
+        Set<Double> elsewhere = alone.stream().filter(place -> !isBody(place)).map(Diagnosis.Latent::reduced).collect(Collectors.toSet());
+        return isUnexplained() && (isNear() || alone.isEmpty()
+                || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
+    }
+
+    private static boolean isBody(Diagnosis.Latent place) {
+        return place.kind().equals(Place.Kind.BODY.word());
+    }
+
+    /** Whether it names a push and a mechanism beside it. */
+    boolean namesBesidePush() {
+        List<Mechanism> named = diagnosis.missing().stream().flatMap(one -> evidence.library().of(one.mechanism()).stream()).toList();
+        return named.stream().anyMatch(one -> one.family() == Family.FORCE)
+                && named.stream().anyMatch(one -> one.family() != Family.FORCE && !one.showsWithoutFit());
     }
 
     /**

@@ -28,9 +28,9 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /**
- * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, damping that speed thins, one memory or
- * an inertance, each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters
- * linearly, so that a score test ranks them at the price of one product of spectra each.
+ * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, damping that speed
+ * thins, one memory or an inertance, each alone or multiplied by another channel, the ride's level, another link's load or a course in
+ * time. Every term enters linearly, so that a score test ranks them at the price of one product of spectra each.
  */
 final class Grammar {
 

@@ -3,7 +3,6 @@ package wbv.diagnosis.surrogate;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
@@ -17,27 +16,6 @@ final class PlaneSearch {
     /** Steps from each start, after which only the best goes on: the first ten bring most of the gain. */
     private static final int TRIED = 15;
 
-    /**
-     * A place on a person who sits.
-     *
-     * @param x forward of the base's sensor,
-     * @param z above it, where that is below the cushion [m]
-     * @param gyration radius of [m]
-     */
-    private record Usual(double x, double z, double gyration) {}
-
-    /**
-     * Places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment); of seat and cushion assumed. The fit moves them;
-     * only what the computed motion does not tell stays.
-     */
-    private static final Map<String,
-            Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(0, 0.05, 0.2)), Map.entry("cushion", new Usual(0, 0.05, 0.15)),
-                    Map.entry("pelvis", new Usual(0, 0.12, 0.15)), Map.entry("abdomen", new Usual(0, 0.25, 0.13)),
-                    Map.entry("lumbar", new Usual(-0.05, 0.25, 0.13)),
-                    Map.entry("torso", new Usual(0, 0.42, 0.18)), Map.entry("trunk", new Usual(0, 0.42, 0.18)),
-                    Map.entry("chest", new Usual(0, 0.42, 0.18)),
-                    Map.entry("sternum", new Usual(0, 0.42, 0.18)), Map.entry("neck", new Usual(0, 0.65, 0.06)),
-                    Map.entry("head", new Usual(0.02, 0.8, 0.08)));
     /** Of a place that is none of a person's [kg], [m]: its height by its order up to that of a head. */
     private static final double OTHER_MASS = 10;
     private static final double OTHER_GYRATION = 0.15;
@@ -84,32 +62,23 @@ final class PlaneSearch {
 
     /** From the base upwards; places that are no part of a person come last, in the order in which they stand. */
     static List<String> ordered(List<String> places) {
-        return places.stream().sorted(Comparator.comparingInt(ChainSearch::height)).toList();
+        return places.stream().sorted(Comparator.comparingInt(Segment::order)).toList();
     }
 
     /** The measured bodies, no more. */
-    PlaneFit.Fitted plain() {
+    FittedPlane plain() {
         return best(starts());
     }
 
     /** With as much more as it takes to do what was computed. */
-    PlaneFit.Fitted enriched(PlaneNet plain) {
-        PlaneFit.Fitted best = fit.fit(plain);
-        for (int added = 0; added < ChainSearch.MOST_ADDED && best.worst() > ChainSearch.GOOD; added++) {
-            progress.accept("identifying the simulation", (1.0 + added) / (1 + ChainSearch.MOST_ADDED));
-            PlaneFit.Fitted richer = best(richer(best.net()));
-            if (richer.worst() > best.worst() / 2) {
-                break;
-            }
-            best = richer;
-        }
-        return best;
+    FittedPlane enriched(PlaneNet plain) {
+        return Enrichment.of(fit.fit(plain), known -> best(richer(known.net())), progress);
     }
 
     /** The one that a few steps bring nearest, fitted to the end. */
-    private PlaneFit.Fitted best(List<PlaneNet> nets) {
+    private FittedPlane best(List<PlaneNet> nets) {
         return fit.fit(
-                nets.stream().map(net -> fit.fit(net, TRIED)).min(Comparator.comparingDouble(PlaneFit.Fitted::cost)).orElseThrow().net());
+                nets.stream().map(net -> fit.fit(net, TRIED)).min(Comparator.comparingDouble(FittedPlane::cost)).orElseThrow().net());
     }
 
     private List<PlaneNet> starts() {
@@ -122,18 +91,14 @@ final class PlaneSearch {
         return out;
     }
 
-    private Usual usual(int place) {
+    private Segment usual(int place) {
         double height = LOWEST + (HIGHEST - LOWEST) * place / Math.max(1, places.size() - 1);
-        return USUAL.getOrDefault(places.get(place), new Usual(0, height, OTHER_GYRATION));
-    }
-
-    private double mass(int place) {
-        return ChainSearch.USUAL_MASS.getOrDefault(places.get(place), OTHER_MASS);
+        return Segment.at(places.get(place)).orElseGet(() -> new Segment(places.get(place), OTHER_MASS, 0, height, OTHER_GYRATION));
     }
 
     /** All that is at a place or above it [kg]. */
     private double carried(int from) {
-        return IntStream.range(from, places.size()).mapToDouble(this::mass).sum();
+        return IntStream.range(from, places.size()).mapToDouble(place -> usual(place).mass()).sum();
     }
 
     private int first(Set<String> names) {
@@ -141,24 +106,25 @@ final class PlaneSearch {
     }
 
     private PlaneNet seated(double[] frequencies) {
-        List<PlaneNet.Part> parts = IntStream.range(0, places.size()).mapToObj(i -> measured(places.get(i), mass(i), usual(i))).toList();
+        List<PlaneNet.Part> parts = IntStream.range(0, places.size()).mapToObj(i -> measured(usual(i))).toList();
         PlaneNet net = new PlaneNet(parts, List.of());
         for (int i = 0; i < parts.size(); i++) {
             double z = i == 0 ? usual(0).z() - CUSHION_BELOW : (usual(i - 1).z() + usual(i).z()) / 2;
             net = net.with(joint(i - 1, i, carried(i), frequencies[i == 0 ? 0 : 1], i == 0 ? CUSHION_ARM : SPINE_ARM, 0, z));
         }
-        int trunk = first(ChainSearch.TRUNK);
-        int frame = first(ChainSearch.FRAME);
+        int trunk = first(Segment.TRUNK);
+        int frame = first(Segment.FRAME);
         if (trunk > frame + 1) {
             net = net.with(joint(frame, trunk, BACKREST * carried(trunk), frequencies[0], BACKREST_ARM, BACKREST_X, usual(trunk).z()));
         }
         return net;
     }
 
-    private static PlaneNet.Part measured(String name, double mass, Usual usual) {
-        double[] at = {Math.log(mass), usual.x, usual.z, Math.log(mass * usual.gyration * usual.gyration), usual.x, usual.z};
-        return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at,
-                new double[] {ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
+    private static PlaneNet.Part measured(Segment usual) {
+        double inertia = usual.mass() * usual.gyration() * usual.gyration();
+        double[] at = {Math.log(usual.mass()), usual.x(), usual.z(), Math.log(inertia), usual.x(), usual.z()};
+        return new PlaneNet.Part(usual.name(), true, PlaneNet.Numbers.of(at,
+                new double[] {MassPrior.USUAL_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
     }
 
     /**
@@ -169,9 +135,9 @@ final class PlaneSearch {
      * @param z likewise
      */
     private static PlaneNet.Joint joint(int lower, int upper, double mass, double frequency, double arm, double x, double z) {
-        double omega = 2 * Math.PI * frequency;
-        double stiffness = Math.log(mass * omega * omega);
-        double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
+        Suspension suspension = Suspension.of(mass, frequency);
+        double stiffness = Math.log(suspension.stiffness());
+        double damping = Math.log(suspension.damping());
         double about = 2 * Math.log(arm);
         double[] at = {stiffness, stiffness, damping, damping, x, z, stiffness + about, damping + about};
         return new PlaneNet.Joint(lower, upper,
@@ -183,24 +149,24 @@ final class PlaneSearch {
     private static List<PlaneNet> richer(PlaneNet known) {
         List<PlaneNet> out = new ArrayList<>();
         List<PlaneNet.Part> parts = known.parts();
-        double mass = ChainSearch.LIGHT * known.mass();
+        double mass = Enrichment.LIGHT * known.mass();
         for (int a = -1; a < parts.size(); a++) {
             for (int b = a + 1; b < parts.size(); b++) {
                 if (known.between(a, b).isEmpty() && parts.get(b).measured() && (a < 0 || parts.get(a).measured())) {
                     double z = a < 0 ? parts.get(b).z() : (parts.get(a).z() + parts.get(b).z()) / 2;
-                    out.add(known.with(joint(a, b, mass, ChainSearch.ADDED_FREQUENCIES[0], BACKREST_ARM, parts.get(b).x(), z)));
+                    out.add(known.with(joint(a, b, mass, Enrichment.FREQUENCIES[0], BACKREST_ARM, parts.get(b).x(), z)));
                 }
             }
         }
         String name = "unmeasured" + (1 + parts.stream().filter(part -> !part.measured()).count());
         for (int i = 0; i < parts.size(); i++) {
             PlaneNet.Part on = parts.get(i);
-            for (double frequency : on.measured() ? ChainSearch.ADDED_FREQUENCIES : new double[0]) {
+            for (double frequency : on.measured() ? Enrichment.FREQUENCIES : new double[0]) {
                 PlaneNet.Numbers rider = PlaneNet.Numbers.of(new double[] {Math.log(mass), on.x(), on.z()},
-                        new double[] {2 * ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
-                double omega = 2 * Math.PI * frequency;
-                double stiffness = Math.log(mass * omega * omega);
-                double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
+                        new double[] {2 * MassPrior.USUAL_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
+                Suspension suspension = Suspension.of(mass, frequency);
+                double stiffness = Math.log(suspension.stiffness());
+                double damping = Math.log(suspension.damping());
                 out.add(known.with(new PlaneNet.Part(name, false, rider), new PlaneNet.Joint(i, parts.size(), PlaneNet.Numbers.of(
                         new double[] {stiffness, stiffness, damping, damping},
                         new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}))));

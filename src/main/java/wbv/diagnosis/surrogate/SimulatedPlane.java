@@ -1,17 +1,12 @@
 package wbv.diagnosis.surrogate;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.stream.IntStream;
 import wbv.body.Model;
-import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.measured.Measured;
@@ -19,19 +14,12 @@ import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.signal.ScalarProduct;
 
 /**
  * What a simulation did in the plane of x and z on a base that moves along both: the places of which it gave more than the motion along z,
  * and the rigid bodies that do the same.
  */
 final class SimulatedPlane {
-
-    /** Part of an output's energy that the lines hold which are fitted. */
-    private static final double HELD = 0.999;
-    /** A sitter's resonances are as wide as many lines; so many over the band tell them all. */
-    private static final int MOST_LINES = 400;
-    private static final ObjectMapper JSON = new ObjectMapper();
 
     private final Recording together;
     private final List<Channel> axes;
@@ -89,7 +77,7 @@ final class SimulatedPlane {
      * @param plain as {@link #plain()} gives it
      */
     PlaneNet best(PlaneNet plain, BiConsumer<String, Double> progress) {
-        progress.accept("identifying the simulation", 0.0);
+        progress.accept(Enrichment.STEP, 0.0);
         SimulatedPlane small = straightened(plain);
         PlaneNet found = small.search(progress).enriched(plain).net();
         SimulatedPlane smaller = straightened(found);
@@ -134,72 +122,11 @@ final class SimulatedPlane {
         Map<String, List<String>> sensors = new LinkedHashMap<>();
         places.forEach(place -> sensors.put(place,
                 outputs.stream().filter(output -> output.location().equals(place)).map(Channel::toString).toList()));
-        try {
-            return ModelFile.parse(JSON.writeValueAsString(
-                    net.described("surrogate", axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
-                            mass / net.mass())),
-                    "surrogate");
-        } catch (JsonProcessingException never) {
-            throw new IllegalStateException(never);
-        }
+        return new PlaneDescription(net, axes.get(0).location(), axes.stream().map(Channel::toString).toList(), sensors,
+                mass / net.mass()).model();
     }
 
     private PlaneFit fit() {
-        double[] omega = new Excitation(together.clock().rate(), together.values(axes.get(0)), Map.of()).omega();
-        List<double[]> spectra = outputs.stream().map(this::spectrum).toList();
-        int lines = spectra.stream().mapToInt(SimulatedPlane::held).max().orElseThrow();
-        int step = (lines + MOST_LINES - 1) / MOST_LINES;
-        double[] kept = IntStream.iterate(1, k -> k < lines, k -> k + step).mapToDouble(k -> omega[k]).toArray();
-        double[][] base = new double[3][2 * kept.length];
-        for (Channel axis : axes) {
-            double[] own = every(spectrum(axis), step, lines);
-            boolean rates = axis.quantity() == Quantity.ANGULAR_RATE;
-            base[rates ? 2 : axis.axis() == 'x' ? 0 : 1] = rates ? accelerations(own, kept) : own;
-        }
-        List<PlaneFit.Output> fitted = new ArrayList<>();
-        for (int o = 0; o < outputs.size(); o++) {
-            Channel output = outputs.get(o);
-            boolean turns = output.quantity() == Quantity.ANGULAR_RATE;
-            int motion = turns ? 2 : output.axis() == 'x' ? 0 : 1;
-            fitted.add(new PlaneFit.Output(3 * places.indexOf(output.location()) + motion, turns, every(spectra.get(o), step, lines)));
-        }
-        return new PlaneFit(kept, base, fitted, ChainSearch.GOOD);
-    }
-
-    /** Every so many lines, but not that at no frequency. */
-    private static double[] every(double[] spectrum, int step, int lines) {
-        return IntStream.iterate(1, k -> k < lines, k -> k + step).flatMap(k -> IntStream.of(2 * k, 2 * k + 1))
-                .mapToDouble(i -> spectrum[i]).toArray();
-    }
-
-    private static double[] accelerations(double[] rates, double[] omega) {
-        double[] out = new double[rates.length];
-        for (int k = 0; k < omega.length; k++) {
-            out[2 * k] = -omega[k] * rates[2 * k + 1];
-            out[2 * k + 1] = omega[k] * rates[2 * k];
-        }
-        return out;
-    }
-
-    /**
-     * Seen through Hann's window: what a body does late by τ is then wrong by about πτ over the length, a thousandth of a record of
-     * minutes, where a window with steeper ends is wrong by percents.
-     */
-    private double[] spectrum(Channel channel) {
-        double[] x = together.values(channel).clone();
-        Arrays.setAll(x, i -> x[i] * (0.5 - 0.5 * Math.cos(2 * Math.PI * (i + 0.5) / x.length)));
-        return new Excitation(together.clock().rate(), x, Map.of()).baseSpectrum();
-    }
-
-    /** Lines that hold nearly all of a spectrum's energy. */
-    private static int held(double[] spectrum) {
-        double all = ScalarProduct.of(spectrum, spectrum);
-        int lines = spectrum.length / 2;
-        double above = 0;
-        while (lines > 2 && above < (1 - HELD) * all) {
-            lines--;
-            above += spectrum[2 * lines] * spectrum[2 * lines] + spectrum[2 * lines + 1] * spectrum[2 * lines + 1];
-        }
-        return lines;
+        return new PlaneFit(PlaneSpectra.of(together, axes, places, outputs), FittedNet.GOOD);
     }
 }

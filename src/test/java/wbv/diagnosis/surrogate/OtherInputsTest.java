@@ -40,7 +40,7 @@ class OtherInputsTest {
             OtherInputs others = new OtherInputs(recording(Map.of(INPUT, z, PITCH, pitch)), INPUT);
             assertEquals(List.of(PITCH), others.channels());
             double[] found = others.partOf(y);
-            assertTrue(ChainSearch.error(fromPitch, found, 100) < 0.01, "seed " + seed + ": " + ChainSearch.error(fromPitch, found, 100));
+            assertTrue(Missed.share(fromPitch, found, 100) < 0.01, "seed " + seed + ": " + Missed.share(fromPitch, found, 100));
         }
     }
 

@@ -52,7 +52,7 @@ class SimulatedPlaneTest {
         Model model = plane.model(net, 55);
         double[][] read = SimulatedPlane.outputs(model, made.recording());
         for (int o = 0; o < read.length; o++) {
-            double missed = ChainSearch.error(plane.given(model.outputs().get(o)), read[o], 180);
+            double missed = Missed.share(plane.given(model.outputs().get(o)), read[o], 180);
             assertTrue(missed < 0.01, model.outputs().get(o) + " misses " + missed);
         }
     }
@@ -76,7 +76,7 @@ class SimulatedPlaneTest {
                 .outputs(new Model(found.name(), found.source(), found.axis(), flat.base(), found.bodies(), found.links(), found.inputs(),
                         found.declared(), found.sensors()), ride);
         for (int o = 0; o < read.length; o++) {
-            double missed = ChainSearch.error(read[model.outputs().indexOf(found.outputs().get(o))], again[o], 180);
+            double missed = Missed.share(read[model.outputs().indexOf(found.outputs().get(o))], again[o], 180);
             assertTrue(missed < 3e-3, found.outputs().get(o) + " misses " + missed);
         }
         assertEquals(0.8, net.parts().get(1).sensors().z(), 0.01);

@@ -169,7 +169,7 @@ class SurrogateTest {
         double[][] right = outputs(truth);
         double[][] surrogate = new Simulator(Excitation.of(found.model(), found.recording(), N)).outputs(found.model().assembly());
         for (int b = 0; b < 2; b++) {
-            assertTrue(ChainSearch.error(right[b], surrogate[b], 60) < ChainSearch.error(right[b], outputs[b], 60) / 3);
+            assertTrue(Missed.share(right[b], surrogate[b], 60) < Missed.share(right[b], outputs[b], 60) / 3);
         }
     }
 

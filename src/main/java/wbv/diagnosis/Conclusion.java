@@ -1,0 +1,137 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import wbv.body.law.Learned;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.PairSearch;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.SecondMechanism;
+
+/** What is concluded of hypotheses that were fitted: the best of them, with a second only if it must be, and the verdict on it. */
+final class Conclusion {
+
+    /** What data not used must show for a second mechanism to be sought. */
+    private static final double LOUD = 1.5;
+    /** How much more than the best a fit may leave to be looked at with free ways. */
+    private static final double CARRIED = 1.2;
+    private static final int MOST_CARRIED = 2;
+    /**
+     * By how much more a simpler law may cost to be preferred [1], and by which part of what the best leaves beyond its degrees of freedom.
+     */
+    private static final double SIMPLER = 100;
+    private static final double SIMPLER_PART = 0.3;
+
+    private final Inquiry inquiry;
+    private final Evidence evidence;
+    private final Search search;
+    private final Refinement refinement;
+    private final Fitter.State base;
+
+    private Conclusion(Inquiry inquiry) {
+        this.inquiry = inquiry;
+        this.evidence = inquiry.evidence();
+        this.search = inquiry.search();
+        this.refinement = inquiry.refinement();
+        this.base = inquiry.base();
+    }
+
+    /** @param leaders fits with one hypothesis each, least first; none where nothing is to be named */
+    static Diagnosed of(Inquiry inquiry, List<Fitter.State> leaders) {
+        return new Conclusion(inquiry).of(leaders);
+    }
+
+    private Diagnosed of(List<Fitter.State> leaders) {
+        List<Fitter.State> credible = carried(search.credible(leaders));
+        Chosen chosen = credible.isEmpty() ? Chosen.single(base) : chosen(simplest(credible), credible);
+        inquiry.progress().accept("proving", 0.9);
+        Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, credible));
+        double heldBefore = refinement.heldOut(base);
+        Diagnosed found = new Verdicts(standing, heldBefore, search).diagnosed(this::places);
+        List<Diagnosis.Named> missing = found.diagnosis().missing();
+        boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS
+                && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
+        return unlisted
+                ? new LearnedVerdict(standing.fits(), heldBefore, refinement).learned(found.diagnosis(), List.of(),
+                        missing.get(0).probability())
+                : found;
+    }
+
+    /**
+     * The best with what it takes beside it.
+     *
+     * @param best     single mechanism
+     * @param credible all of them
+     */
+    private Chosen chosen(Fitter.State best, List<Fitter.State> credible) {
+        boolean more = Refinement.explained(base, best) < Refinement.NEARLY_ALL || best.reduced() > Refinement.MUCH;
+        boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(best);
+        Chosen chosen = much ? pairs().best(best, credible) : Chosen.single(best);
+        return chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT
+                ? new SecondMechanism(evidence, search, this::pairs).of(chosen.fit(), much).orElse(chosen) : chosen;
+    }
+
+    private PairSearch pairs() {
+        return new PairSearch(evidence, search, base, inquiry.progress());
+    }
+
+    private List<Known.Ignoring> entrances() {
+        return new Locator(evidence, inquiry.baseline()).singles(base.x());
+    }
+
+    private List<Diagnosis.Latent> places() {
+        return entrances().stream().map(found -> {
+            Place place = found.places().get(0);
+            return new Diagnosis.Latent(place.kind().word(), place.name(evidence), found.reduced());
+        }).toList();
+    }
+
+    /**
+     * Fits on a model that stands for a simulation, the best few of them with forces that may go another way than the model's. The others
+     * stay as they are: which law it is shows in what it does where it acts, and a way that may differ makes many alike.
+     */
+    private List<Fitter.State> carried(List<Fitter.State> fits) {
+        if (!evidence.standsForSimulation() || fits.isEmpty()) {
+            return fits;
+        }
+        double near = 1 + CARRIED * Refinement.excess(fits.get(0).reduced());
+        int count = (int) fits.stream().limit(MOST_CARRIED).filter(fit -> fit.reduced() < near).count();
+        List<Fitter.State> out = new ArrayList<>(
+                Parallel.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
+        out.addAll(fits.subList(count, fits.size()));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
+    }
+
+    /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */
+    private boolean isOneLaw(Fitter.State name) {
+        return !evidence.onRig() && new LawLearner(evidence, search, base, entrances()).isOne(name);
+    }
+
+    /** The best, or a simpler law at the same place that is nearly as good. */
+    private static Fitter.State simplest(List<Fitter.State> leaders) {
+        Fitter.State best = leaders.get(0);
+        return leaders.subList(1, Math.min(Search.LEADERS, leaders.size())).stream().filter(other -> isSimpler(other, best)).findFirst()
+                .orElse(best);
+    }
+
+    private static boolean isSimpler(Fitter.State other, Fitter.State best) {
+        Hypothesis first = best.candidate().added().get(0);
+        Hypothesis rival = other.candidate().added().get(0);
+        boolean plainer = first.byTheClock() && !rival.byTheClock() && first.kind().equals(rival.kind());
+        double excess = Math.max(best.cost() - best.frame().whitening().degrees(), 0);
+        return (plainer || first.kind().yieldsTo(rival)) && rival.where().equals(first.where())
+                && other.cost() - best.cost() < SIMPLER + SIMPLER_PART * excess;
+    }
+}

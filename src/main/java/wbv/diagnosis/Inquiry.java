@@ -1,0 +1,147 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.SpectralLines;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+import wbv.recording.Channel;
+
+/**
+ * Evidence with what counts as noise in it, the user's model fitted to that, and the forces that fits leave. What turns out to be a force
+ * of its own, or noise of an input, makes another inquiry, which knows of it: the same data, seen through other noise.
+ */
+final class Inquiry {
+
+    /** What is left beside noise that is known in full: 1, and what it scatters by. */
+    static final double NOISE = 1.04;
+    /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
+    private static final double OWN_SCATTER = 0.012;
+
+    private final Evidence evidence;
+    private final Candidate baseline;
+    private final Search search;
+    private final BiConsumer<String, Double> progress;
+
+    private Inquiry(Evidence evidence, Candidate baseline, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.baseline = baseline;
+        this.search = new Search(evidence, progress);
+        this.progress = progress;
+    }
+
+    /** @param progress told the step and the share of it that is done, 0 to 1 or NaN */
+    static Inquiry of(Evidence evidence, BiConsumer<String, Double> progress) {
+        return new Inquiry(evidence, Baseline.of(evidence), progress);
+    }
+
+    /** The same where a person's own force counts as noise. */
+    Inquiry knowing(BodyForce force) {
+        return new Inquiry(evidence.with(force), baseline, progress);
+    }
+
+    /** The same where the noise of inputs counts too, by their channel. */
+    Inquiry knowing(Map<Channel, Double> input) {
+        return new Inquiry(evidence.with(input), baseline, progress);
+    }
+
+    Evidence evidence() {
+        return evidence;
+    }
+
+    Candidate baseline() {
+        return baseline;
+    }
+
+    Search search() {
+        return search;
+    }
+
+    Refinement refinement() {
+        return search.refinement();
+    }
+
+    BiConsumer<String, Double> progress() {
+        return progress;
+    }
+
+    /** The user's model with fitted values and nothing added. */
+    Fitter.State base() {
+        return search.base(baseline);
+    }
+
+    /** The model with the values that its user gave it. */
+    Fitter.State given() {
+        return search.fitter().look(baseline, baseline.start(), evidence.fit());
+    }
+
+    /** What a fit leaves of data not used. */
+    double heldOut(Fitter.State fit) {
+        return refinement().heldOut(fit);
+    }
+
+    /** Whether a fit leaves less than that, on data not used for it too. */
+    boolean leaves(Fitter.State fit, double most) {
+        return fit.reduced() < most && heldOut(fit) < most;
+    }
+
+    /** The best few fitted in the whitening of this base, the others looked at in it. */
+    List<Fitter.State> again(List<Fitter.State> fits) {
+        Fitter.State base = base();
+        int leading = Math.min(Search.LEADERS, fits.size());
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement()::polish));
+        fits.subList(leading, fits.size()).forEach(fit -> out.add(search.fitter().look(fit.candidate(), fit.x(), base.frame())));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
+    }
+
+    /** The force that a fit leaves, whatever force is known of already. */
+    Optional<BodyForce> left(Fitter.State fit) {
+        Evidence plain = evidence.withoutForce();
+        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
+    }
+
+    /**
+     * The same where what a person does who sits still counts as noise, if that is all that is left, on smooth stretches and on rough ones
+     * alike.
+     */
+    Optional<Inquiry> knowingWhoSitsStill() {
+        // A tone would be taken for a part of a force that has all frequencies.
+        return SpectralLines.standOut(base().residual(), evidence.fit()) ? Optional.empty()
+                : BodyForce.in(evidence, base()).filter(force -> force.ordinary(evidence) && force.following().isSteady())
+                        .map(this::knowing).filter(knowing -> knowing.leaves(knowing.base(), NOISE));
+    }
+
+    /** A strong force of its own that is left without any mechanism. */
+    Optional<BodyForce> push() {
+        return base().reduced() > Refinement.STRANGE ? BodyForce.in(evidence, base()).filter(BodyForce::independent) : Optional.empty();
+    }
+
+    /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
+    boolean isPush() {
+        return push().map(this::knowing)
+                .filter(knowing -> knowing.leaves(knowing.base(), Math.max(NOISE, 1 + OWN_SCATTER * (base().reduced() - 1)))
+                        && !SpectralLines.standOut(knowing.base().residual(), evidence.fit()))
+                .isPresent();
+    }
+
+    /**
+     * Whether a diagnosis that knows of a strong push names a mechanism beside it, and leaves the push: what is left beside that has to be
+     * more than the push scatters by itself.
+     */
+    boolean isBeside(BodyForce push, Diagnosed found) {
+        double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
+        return found.namesBesidePush() && found.base.reduced() - 1 > OWN_SCATTER * (base().reduced() - 1)
+                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > Pushes.REMAINS * known).isPresent();
+    }
+}

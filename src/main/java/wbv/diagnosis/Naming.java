@@ -1,0 +1,116 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+
+/** Whether the mechanisms of the best hypothesis are named, and how surely. */
+final class Naming {
+
+    private static final double LEAST_GAIN = 80;
+    private static final double LEAST_SHARE = 0.5;
+    /**
+     * What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects.
+     */
+    private static final double LEAST_DROP = 0.1;
+    private static final double CARRIED_OVER = 0.72;
+    /**
+     * On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data
+     * too.
+     */
+    private static final double RIG_SHARE = 0.4;
+    private static final double RIG_HELD = 0.75;
+    /** How sure a name is that leaves too much, at most. */
+    private static final double UNSURE = 0.4;
+
+    private final Grounds grounds;
+    private final Standing standing;
+    private final Fitter.State base;
+    private final Fitter.State best;
+    private final boolean onRig;
+
+    Naming(Grounds grounds) {
+        this.grounds = grounds;
+        this.standing = grounds.standing();
+        this.base = grounds.base();
+        this.best = grounds.best();
+        this.onRig = grounds.evidence().onRig();
+    }
+
+    /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
+    boolean isWorth() {
+        double drop = base.reduced() - best.reduced();
+        return best != base && grounds.foretells(best) && standing.explained() > (onRig ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP
+                && drop * base.frame().whitening().degrees() > LEAST_GAIN
+                && (onRig || grounds.heldBefore() - grounds.heldAfter() > LEAST_DROP / 2)
+                // So near to the noise only a name without a rival is a finding.
+                && (grounds.heldBefore() > Refinement.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
+    }
+
+    /**
+     * The mechanisms of the best hypothesis; not by name alone where they leave too much, and not at all where all of it may as well be
+     * nothing.
+     *
+     * @param locate finds the places that could carry the mismatch; asked only where the name is not good enough
+     */
+    Optional<Explanation> explanation(Supplier<List<Diagnosis.Latent>> locate) {
+        boolean poor = isPoor();
+        Values values = new Values(grounds.evidence(), best);
+        Map<Hypothesis, Diagnosis.Named> claimed = claimed(values, poor ? UNSURE : 1);
+        boolean nothing = claimed.entrySet().stream().allMatch(each -> mayBeNothing(each.getKey(), each.getValue()));
+        return nothing ? Optional.empty() : Optional.of(poor ? unsure(values, claimed, locate.get()) : sure(values, claimed));
+    }
+
+    private Explanation unsure(Values values, Map<Hypothesis, Diagnosis.Named> claimed, List<Diagnosis.Latent> places) {
+        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, values.fit(), values.scale(), List.copyOf(claimed.values()),
+                standing.rivals(1 - standing.probability()), places, grounds.words().entering(places));
+    }
+
+    private Explanation sure(Values values, Map<Hypothesis, Diagnosis.Named> claimed) {
+        double p = standing.probability();
+        List<Diagnosis.Named> missing = new ArrayList<>(claimed.values());
+        new Pushes(grounds).beside(values.scale(), p).ifPresent(missing::add);
+        List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+        return new Explanation(
+                standing.reading().names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS, values.fit(),
+                values.scale(), missing, rivals, List.of(),
+                grounds.words().ending(standing.explained(), standing.numbers(), rivals));
+    }
+
+    /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
+    private boolean isPoor() {
+        return standing.reading().isUnknown()
+                || (onRig ? grounds.heldAfter() > RIG_HELD * grounds.heldBefore() : !carriesOver() || Search.extreme(best));
+    }
+
+    /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
+    private boolean carriesOver() {
+        double before = grounds.heldBefore();
+        return before < Refinement.STRANGE || (before - grounds.heldAfter()) / (before - 1) > CARRIED_OVER * standing.explained();
+    }
+
+    /** @param most how sure a name may be */
+    private Map<Hypothesis, Diagnosis.Named> claimed(Values values, double most) {
+        Map<Hypothesis, Diagnosis.Named> out = new LinkedHashMap<>();
+        best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone))
+                .forEach(hypothesis -> out.put(hypothesis,
+                        values.named(hypothesis, Math.min(most, standing.probability(hypothesis))).with(standing.numbers())));
+        return out;
+    }
+
+    /** Whether a sensor's fault may be none by all that is told of its size: what may be nothing is not named. */
+    private static boolean mayBeNothing(Hypothesis hypothesis, Diagnosis.Named named) {
+        List<Hypothesis.Number> told = hypothesis.numbers().stream().filter(number -> named.intervals().containsKey(number.key())).toList();
+        return hypothesis.kind().family() == Family.SENSOR && !told.isEmpty()
+                && told.stream().allMatch(number -> number.unit() > 0 && named.intervals().get(number.key()).contains(number.nothing()));
+    }
+}

@@ -1,0 +1,69 @@
+package wbv.diagnosis;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.mechanism.UnmeasuredForce;
+import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Refinement;
+
+/** Forces that nobody measured, as what is missing. */
+final class Pushes {
+
+    /** Part of a push, in root mean square, that is left beside a mechanism if it is not what the mechanism did [1]. */
+    static final double REMAINS = 0.5;
+    /** How sure a push is: by its level, which does not follow the ride's; by all that it carries; and beside a name, at least. */
+    private static final double BY_LEVEL = 0.9;
+    private static final double BY_SHARE = 0.6;
+    private static final double BESIDE_NAME = 0.5;
+
+    private final Grounds grounds;
+
+    Pushes(Grounds grounds) {
+        this.grounds = grounds;
+    }
+
+    /**
+     * A force that nobody measured, where no mechanism takes the mismatch.
+     *
+     * @param named whether a mechanism takes enough of it to be worth a name
+     */
+    Optional<Explanation> instead(boolean named) {
+        double left = grounds.base().reduced();
+        if (named && isTaken(left, grounds.best().reduced()) || left < Refinement.STRANGE) {
+            return Optional.empty();
+        }
+        Standing standing = grounds.standing();
+        return BodyForce.in(grounds.evidence(), grounds.base(), !named).filter(BodyForce::independent).map(force -> {
+            double p = named ? Math.max(BESIDE_NAME, 1 - standing.explained()) : force.following().isTold() ? BY_LEVEL : BY_SHARE;
+            List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+            return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
+                    List.of(named(force, grounds.scale(), p)), rivals, List.of(), grounds.words().ending(force.carried(), 0, rivals));
+        });
+    }
+
+    /** The force that counts as noise already, where that is more than a person makes who sits still. */
+    Optional<Diagnosis.Named> beside(MassScale masses, double probability) {
+        return grounds.evidence().bodyForce().filter(push -> !push.ordinary(grounds.evidence()))
+                .map(push -> named(push, masses, probability));
+    }
+
+    private Diagnosis.Named named(BodyForce force, MassScale masses, double probability) {
+        double rms = masses.factor() * force.rms();
+        return new Diagnosis.Named(new UnmeasuredForce().word(), grounds.evidence().model().bodies().get(force.body()).name(), probability,
+                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), grounds.base().reduced());
+    }
+
+    /**
+     * Whether a name takes a mismatch that a force of its own might make. Such a force, arbitrary as it is, leaves nothing of it; but where
+     * each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains x - ln(1 +
+     * x). And what a name takes most of is no force of its own, whatever the name leaves.
+     *
+     * @param without mean square of the whitened residual that the model without the name leaves
+     * @param with that the name leaves
+     */
+    static boolean isTaken(double without, double with) {
+        return with - 1 < Math.max(REMAINS * REMAINS * (without - 1), Math.log(without));
+    }
+}

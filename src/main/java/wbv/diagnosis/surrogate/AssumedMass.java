@@ -1,0 +1,58 @@
+package wbv.diagnosis.surrogate;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import wbv.body.Model;
+import wbv.recording.Metadata;
+
+/**
+ * The mass that is assumed to sit: accelerations know masses, stiffness and damping only up to a common factor.
+ *
+ * @param sitting [kg], &gt; 0
+ * @param person  mass of the person [kg], where it is known
+ */
+record AssumedMass(double sitting, OptionalDouble person) {
+
+    /** What sits of a person of whom nothing is known [kg], and of one whose mass is [1]. */
+    private static final double USUAL = 55;
+    private static final double SHARE = 0.73;
+
+    AssumedMass {
+        if (!(sitting > 0)) {
+            throw new IllegalArgumentException("what sits must have a mass > 0: " + sitting + " kg");
+        }
+    }
+
+    /** By what is known of the subject. */
+    static AssumedMass of(Metadata known) {
+        OptionalDouble person = known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
+        return new AssumedMass(person.isPresent() ? SHARE * person.getAsDouble() : USUAL, person);
+    }
+
+    /** A model along one axis with that mass in all, and stiffness and damping to match. */
+    Model given(Model model) {
+        double factor = sitting / model.mass();
+        List<Model.Body> bodies = model.bodies().stream()
+                .map(body -> body.completed(factor * body.mass(), body.faults(), body.hidden(), body.forces())).toList();
+        List<Model.Link> links = model.links().stream().map(
+                link -> link.completed(factor * link.stiffness(), factor * link.damping(), link.laws(), link.drives(), link.faults()))
+                .toList();
+        return new Model(model.name(), model.source(), model.axis(), model.base(), bodies, links, model.inputs(), model.declared(),
+                model.sensors());
+    }
+
+    /**
+     * A model that says what it stands for and that its mass is assumed.
+     *
+     * @param name of the simulation
+     * @param how  it stands for it, to follow the name
+     */
+    Model told(Model model, String name, String how) {
+        String source = String.format(Locale.ROOT, "linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name,
+                how, sitting, person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
+        return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), model.bodies(), model.links(),
+                model.inputs(), model.declared(), model.sensors());
+    }
+}
