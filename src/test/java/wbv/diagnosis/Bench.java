@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import wbv.body.Model;
+import wbv.diagnosis.picture.Pictures;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -208,7 +209,10 @@ public final class Bench {
         return new Model.Link(from, to, stiffness, damping, sensor, java.util.List.of(), java.util.List.of());
     }
 
+    /** Drawn as well, as whoever asks has it. */
     public static Diagnosis diagnosed(Model model, Recording recording) {
-        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> {});
+        Diagnosed found = Diagnoser.examine(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> {});
+        Pictures.of(found);
+        return found.diagnosis();
     }
 }

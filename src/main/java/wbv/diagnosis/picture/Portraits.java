@@ -68,14 +68,21 @@ final class Portraits {
             Drive drive = chosen.candidate().at(chosen.x()).drives().stream()
                     .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst()
                     .orElseThrow().drive();
-            return List.of(drive instanceof Drive.Across across
-                    ? pushed(latent(drive.actsOnBody(), driven.place()), across.across(), across.mass(), hypothesis.where())
-                    : coupled(drive, driven.place(), hypothesis.where()));
+            return driven(drive, driven.place(), hypothesis.where());
         }
         if (addition instanceof Hypothesis.Addition.AtSensor at) {
             return new SensorPortraits(evidence, base, chosen, at.output()).of(at.fault());
         }
         return List.of(hidden(latent(true, ((Hypothesis.Addition.Hidden) addition).body()), hypothesis.where()));
+    }
+
+    /** What drives a place; a force whose sensor errs has no motion that it goes by, and is drawn as any other on a body. */
+    private List<Portrait> driven(Drive drive, int place, String where) {
+        if (drive instanceof Drive.Across across) {
+            return List.of(pushed(latent(drive.actsOnBody(), place), across.across(), across.mass(), where));
+        }
+        boolean byMotion = drive instanceof Drive.Rotation || drive instanceof Drive.Swings || drive instanceof Drive.CrossAxis;
+        return byMotion ? List.of(coupled(drive, place, where)) : onBody(latent(true, place), where, true);
     }
 
     /**
