@@ -21,8 +21,9 @@ final class Experiments {
             + "scale of the masses.";
 
     static final String AGAIN = "Record the same ride again, twice as long: a law comes back in every part of it, an event does not.";
-    static final String CAUSE = "See that the input is the sensor under the person, on the same clock, and shake harder, or record a "
-            + "quiet trial: what is there without the ride is not caused by it.";
+    static final String CAUSE = "See that the input is the channel that drives what was measured, on the same clock, and that both have "
+            + "the sign and the unit of the model; then shake harder, or record a quiet trial: what is there without the ride is not "
+            + "caused by it.";
 
     /** From this probability on no rival has to be told apart any more, and the numbers are next. */
     private static final double SETTLED = 0.95;

@@ -130,8 +130,8 @@ final class VerdictWords {
      */
     String notCaused(double caused) {
         return String.format(Locale.ROOT,
-                "on data not used, %s explains %s of what the best of the sensors measured, whatever the model; at least %.0f %% is "
-                        + "needed.",
+                "on data not used, %s explains %s of what the best of the sensors measured, whatever the model's numbers; at least "
+                        + "%.0f %% is needed.",
                 evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
     }
 
