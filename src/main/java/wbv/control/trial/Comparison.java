@@ -28,6 +28,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
 
     /** Share of the floor's greatest density from which on a transmissibility is told. */
     private static final double SHAKEN = 0.01;
+    /** That to which all are held. */
+    public static final Entrant SKYHOOK = new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED);
 
     /**
      * What is asked.
@@ -137,9 +139,9 @@ public record Comparison(Request request, List<OnFloor> floors) {
         int all = request.floors().size() * request.sitters().size();
         for (Floor floor : request.floors()) {
             Maker maker = new Maker(request.hardware(), floor, request.seed());
-            Front.Point middle = front(request, maker, Maker.MIDDLE, new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).best();
-            double skyhook = middle.tuning();
-            ControllerFamily damper = damper(request, maker, entrants, middle.result().strokeRms());
+            Front middle = front(request, maker, Maker.MIDDLE, SKYHOOK);
+            double skyhook = middle.best().tuning();
+            ControllerFamily damper = damper(request, maker, entrants, middle);
             List<OnSitter> sitters = new ArrayList<>();
             for (Subject sitter : request.sitters()) {
                 List<Front> fronts = entrants.stream().map(entrant -> front(request, maker, sitter, entrant)).toList();
@@ -171,12 +173,17 @@ public record Comparison(Request request, List<OnFloor> floors) {
         return entrants;
     }
 
-    /** The fixed one that serves the middle sitter best: a controller is chosen once for a floor, before anybody is known. */
-    private static ControllerFamily damper(Request request, Maker maker, List<Entrant> entrants, double stroke) {
+    /**
+     * The fixed one that serves the middle sitter best: a controller is chosen once for a floor, before anybody is known.
+     *
+     * @param skyhook its front under that sitter, whose best point says the stroke
+     */
+    private static ControllerFamily damper(Request request, Maker maker, List<Entrant> entrants, Front skyhook) {
+        double stroke = skyhook.best().result().strokeRms();
         Map<ControllerFamily, Double> seats = new EnumMap<>(ControllerFamily.class);
         entrants.stream().filter(entrant -> entrant.family().setsDamper() && entrant.knowledge() == Knowledge.FIXED)
-                .forEach(entrant -> front(request, maker, Maker.MIDDLE, entrant).at(stroke)
-                        .ifPresent(found -> seats.put(entrant.family(), found.seat())));
+                .map(entrant -> entrant.equals(SKYHOOK) ? skyhook : front(request, maker, Maker.MIDDLE, entrant))
+                .forEach(front -> front.at(stroke).ifPresent(found -> seats.put(front.family(), found.seat())));
         return seats.entrySet().stream().min(Map.Entry.comparingByValue()).orElseThrow().getKey();
     }
 
@@ -258,7 +265,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
             ControllerFamily family = families.apply(floor);
             Knowledge knowledge = family.knowledge().contains(Knowledge.SCHEDULED) ? Knowledge.SCHEDULED : Knowledge.FIXED;
             for (OnSitter sitter : floor.sitters()) {
-                double skyhook = sitter.at(new Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
+                double skyhook = sitter.at(SKYHOOK).orElseThrow().seat();
                 sitter.at(new Entrant(family, knowledge)).ifPresent(found -> ratios.add(found.seat() / skyhook));
             }
         }

@@ -60,7 +60,7 @@ public final class SeatStudy {
         Comparison.Entrant best = comparison.entrants().stream()
                 .filter(entrant -> entrant.knowledge() != Knowledge.ORACLE && first.mean(entrant).isPresent())
                 .min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow();
-        double skyhook = first.mean(new Comparison.Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
+        double skyhook = first.mean(Comparison.SKYHOOK).orElseThrow().seat();
         return String.format(Locale.ROOT,
                 "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
                 first.floor().word(), first.mean(best).orElseThrow().seat(), best.words(), skyhook);

@@ -119,7 +119,7 @@ class SeatTrialTest {
                 List.of(ControllerFamily.ACTIVE), 0, 4, 10, 5),
                 share -> {});
         Comparison.OnSitter sitter = comparison.floors().get(0).sitters().get(0);
-        Front.AtStroke skyhook = sitter.at(new Comparison.Entrant(ControllerFamily.SKYHOOK, Knowledge.FIXED)).orElseThrow();
+        Front.AtStroke skyhook = sitter.at(Comparison.SKYHOOK).orElseThrow();
         Front.AtStroke active = sitter.at(new Comparison.Entrant(ControllerFamily.ACTIVE, Knowledge.SCHEDULED)).orElseThrow();
         assertTrue(active.seat() < 0.8 * skyhook.seat(), active.seat() + " beside " + skyhook.seat());
         assertTrue(active.strokeRms() <= sitter.stroke());
