@@ -205,6 +205,30 @@ public final class SpectralMatrix {
         return new ComplexSeries(scaled(re[at], 1), scaled(im[at], i >= j ? 1 : -1));
     }
 
+    /**
+     * Power spectral density of what a channel shares with none of the others, by bin [unit²/Hz]: what is left of it when all of them are
+     * taken out, over what is left of noise (Bendat and Piersol, Random Data, 2010, section 7.3). NaN where the others leave nothing, or
+     * there are too few independent segments to tell.
+     */
+    public double[] unshared(int channel) {
+        Hermitian matrix = new Hermitian(channels.length);
+        double[] density = density(channel);
+        double free = independent() - channels.length + 1;
+        double[] out = new double[density.length];
+        for (int k = 0; k < out.length; k++) {
+            for (int i = 0; i < channels.length; i++) {
+                for (int j = 0; j <= i; j++) {
+                    matrix.set(i, j, re[index(i, j)][k], im[index(i, j)][k]);
+                }
+            }
+            double own = re[index(channel, channel)][k];
+            out[k] = free >= 1 && matrix.invert()
+                    ? density[k] / own / matrix.inverseRe(channel, channel) * independent() / free
+                    : Double.NaN;
+        }
+        return out;
+    }
+
     private double[] scaled(double[] sums, double sign) {
         double scale = sign * Segments.densityScale(segmentation) / weight;
         return Arrays.stream(sums).map(sum -> sum * scale).toArray();

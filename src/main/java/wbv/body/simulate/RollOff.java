@@ -1,22 +1,27 @@
 package wbv.body.simulate;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.signal.Detrend;
-import wbv.signal.PowerSpectrum;
 import wbv.signal.Segmentation;
+import wbv.signal.SpectralMatrix;
 
 /**
- * How a sensor's anti-alias filter rolls off, read from its own noise: white inside, the noise of the base's sensor falls above the
- * excitation as the filter does. Base and outputs pass the same filter, so it cancels in what is linear; what a law adds inside the
- * body has to pass it too.
+ * How the sensors' anti-alias filter rolls off, read from their own noise, which is what a sensor shares with no other: white inside, it
+ * falls as the filter does, whether the excitation ends there or not. Base and outputs pass the same filter, so it cancels in what is
+ * linear; what a law adds inside the body has to pass it too.
  */
 final class RollOff {
 
     private static final int SEGMENT = 512;
+    private static final int BINS = SEGMENT / 2 + 1;
     private static final double FROM = 0.25;
     private static final double FLAT = 0.37;
+    /** Bins on either side of one that are averaged with it. */
+    private static final int ABOUT = 2;
 
     private final double[] gain;
 
@@ -24,37 +29,33 @@ final class RollOff {
         this.gain = gain;
     }
 
-    /** As the axes of one place show it; no filter at all where the recording is too short to tell. */
+    /**
+     * As the sensors of one quantity show it, of which the one that shows least of it counts: what is left of an excitation in its noise
+     * falls too. No filter at all where the recording is too short to tell.
+     */
     static RollOff of(Recording recording, Channel input) {
-        int bins = SEGMENT / 2 + 1;
-        double[] density = new double[bins];
-        for (Channel channel : recording.channels()) {
-            if (!channel.location().equals(input.location()) || channel.quantity() != input.quantity()) {
-                continue;
-            }
-            PowerSpectrum spectrum = new PowerSpectrum(new Segmentation(recording.clock().rate(), SEGMENT, 0.5), Detrend.MEAN);
-            for (double value : recording.values(channel)) {
-                spectrum.accept(value);
-            }
-            if (spectrum.averaged() > 0) {
-                double[] own = spectrum.density();
-                double level = mean(own, FROM, FLAT);
-                for (int k = 0; k < bins; k++) {
-                    density[k] += own[k] / level;
-                }
-            }
-        }
-        double level = mean(density, FROM, FLAT);
-        double[] gain = new double[bins];
+        List<double[]> series = recording.channels().stream().filter(channel -> channel.quantity() == input.quantity())
+                .map(recording::values).filter(values -> Arrays.stream(values).anyMatch(value -> value != values[0])).toList();
+        double[] gain = new double[BINS];
         Arrays.fill(gain, 1);
-        for (int k = (int) (FLAT * SEGMENT); k < bins && level > 0; k++) {
-            double sum = 0;
-            int count = 0;
-            for (int i = Math.max(0, k - 2); i <= Math.min(bins - 1, k + 2); i++) {
-                sum += density[i];
-                count++;
-            }
-            gain[k] = Math.sqrt(Math.min(1, sum / count / level));
+        if (series.isEmpty()) {
+            return new RollOff(gain);
+        }
+        SpectralMatrix spectra = new SpectralMatrix(new Segmentation(recording.clock().rate(), SEGMENT, 0.5), Detrend.MEAN, series.size());
+        double[] row = new double[series.size()];
+        for (int i = 0; i < recording.length(); i++) {
+            int at = i;
+            Arrays.setAll(row, c -> series.get(c)[at]);
+            spectra.accept(row);
+        }
+        double[][] noise = IntStream.range(0, row.length).mapToObj(spectra::unshared).filter(own -> mean(own, FROM, FLAT) > 0)
+                .toArray(double[][]::new);
+        for (int k = (int) (FLAT * SEGMENT); k < BINS && noise.length > 0; k++) {
+            int from = Math.max(0, k - ABOUT);
+            int to = Math.min(BINS, k + ABOUT + 1);
+            double near = Arrays.stream(noise).mapToDouble(own -> Arrays.stream(own, from, to).average().orElse(1) / mean(own, FROM, FLAT))
+                    .filter(part -> part >= 0).max().orElse(1);
+            gain[k] = Math.sqrt(Math.min(1, near));
         }
         return new RollOff(gain);
     }
