@@ -1,7 +1,7 @@
 package wbv.fmi;
 
 import java.util.stream.IntStream;
-import wbv.body.simulate.Excitation;
+import wbv.signal.LostSamples;
 
 /**
  * A recorded channel at any moment: between samples band-limited, by a sinc in Kaiser's window (pass band to 0.44 of the rate, 90 dB:
@@ -23,7 +23,7 @@ final class InputSignal {
      * @param centred whether the mean is taken away
      */
     InputSignal(double[] samples, double rate, boolean centred) {
-        double[] whole = Excitation.bridged(samples);
+        double[] whole = LostSamples.filled(samples);
         double mean = centred ? IntStream.range(0, whole.length).mapToDouble(i -> whole[i]).average().orElse(0) : 0;
         this.rate = rate * FINER;
         double[][] weights = weights();

@@ -13,6 +13,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 import wbv.signal.RealDft;
 
 /**
@@ -32,9 +33,6 @@ public final class Excitation {
     private static final int MOST_POINTS = 1 << 26;
     private static final int FORCED = 4;
     private static final double NEARLY_STEADY = 1e-3;
-    /** Longest gap that a polynomial bridges, and samples on either side that it goes through. */
-    private static final int BRIEF = 2;
-    private static final int ABOUT = 3;
 
     private final double rate;
     private final int samples;
@@ -146,7 +144,7 @@ public final class Excitation {
     }
 
     /**
-     * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
+     * The input that a recording holds for a model: its base's acceleration, lost samples filled, mean removed, and every
      * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's
      * velocity or position is turned into its acceleration; measured forces leave the base at rest.
      *
@@ -157,7 +155,7 @@ public final class Excitation {
         double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
-            others.put(channel, Arrays.copyOf(bridged(recording.values(channel)), samples));
+            others.put(channel, Arrays.copyOf(LostSamples.filled(recording.values(channel)), samples));
         }
         if (!model.inputs().isEmpty()) {
             return ofForces(rate, samples, others);
@@ -185,11 +183,11 @@ public final class Excitation {
     private record Moved(double[] acceleration, double[] track) {}
 
     /**
-     * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes,
+     * What a sensor says of the base's motion, as long as this: lost samples filled, the mean of an acceleration removed. Along further axes,
      * whose rates and angles other sensors read too, what integrates back to what was read: with a smooth return in the silence.
      */
     private Moved moved(Recording recording, Channel sensor, boolean first) {
-        double[] moved = bridged(recording.values(sensor));
+        double[] moved = LostSamples.filled(recording.values(sensor));
         if (sensor.quantity() != Quantity.ACCELERATION) {
             return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity())
                     : new Moved(differentiated(returning(moved), order(sensor.quantity())), new double[0]);
@@ -255,61 +253,6 @@ public final class Excitation {
             out[i] = last + (first - last) * u * u * u * (10 + u * (6 * u - 15));
         }
         return out;
-    }
-
-    /**
-     * A series in its own unit with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are
-     * there takes the polynomial through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a
-     * longer one a straight line.
-     *
-     * @param x a series of any unit, NaN in gaps. Not modified.
-     */
-    public static double[] bridged(double[] x) {
-        boolean whole = true;
-        for (double value : x) {
-            whole &= !Double.isNaN(value);
-        }
-        if (whole) {
-            return x;
-        }
-        double[] out = x.clone();
-        int last = -1;
-        for (int i = 0; i < x.length; i++) {
-            if (!Double.isNaN(x[i])) {
-                boolean brief = i - last > 1 && i - last <= 1 + BRIEF && known(x, last - ABOUT + 1, last + 1) && known(x, i, i + ABOUT);
-                for (int j = last + 1; j < i; j++) {
-                    out[j] = brief ? between(x, last, i, j) : last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
-                }
-                last = i;
-            }
-        }
-        Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
-        return out;
-    }
-
-    private static boolean known(double[] x, int from, int to) {
-        return from >= 0 && to <= x.length && java.util.stream.IntStream.range(from, to).noneMatch(i -> Double.isNaN(x[i]));
-    }
-
-    /**
-     * Lagrange's polynomial through the samples on both sides of a gap.
-     *
-     * @param last before it
-     * @param next after it
-     * @param at in it
-     */
-    private static double between(double[] x, int last, int next, int at) {
-        int[] nodes = java.util.stream.IntStream.concat(java.util.stream.IntStream.rangeClosed(last - ABOUT + 1, last),
-                java.util.stream.IntStream.range(next, next + ABOUT)).toArray();
-        double sum = 0;
-        for (int node : nodes) {
-            double weight = 1;
-            for (int other : nodes) {
-                weight *= other == node ? 1 : (double) (at - other) / (node - other);
-            }
-            sum += weight * x[node];
-        }
-        return sum;
     }
 
     private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded,

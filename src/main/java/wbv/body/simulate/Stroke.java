@@ -7,6 +7,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * The measured motion that drives links, as it was recorded: no band limit and no mean removed, since slow and long strokes are
@@ -98,6 +99,6 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
     }
 
     private static double[] cut(Recording recording, Channel channel, int samples) {
-        return java.util.Arrays.copyOf(Excitation.bridged(recording.values(channel)), samples);
+        return java.util.Arrays.copyOf(LostSamples.filled(recording.values(channel)), samples);
     }
 }

@@ -17,6 +17,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /** What models are judged by: a recording as they see it, two windows, one to fit and one to prove, and what counts as noise. */
 public final class Evidence {
@@ -126,7 +127,7 @@ public final class Evidence {
 
     /** The series of a channel with its gaps bridged, in its unit. Not a copy. */
     public double[] series(Channel channel) {
-        return Excitation.bridged(recording().values(channel));
+        return LostSamples.filled(recording().values(channel));
     }
 
     /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */

@@ -1,9 +1,9 @@
 package wbv.diagnosis.measured;
 
 import java.util.Arrays;
-import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * What was measured at an output of a model, and which samples of it count.
@@ -25,7 +25,7 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
     /** On a rig constants count, and rounded values of a slow stroke repeat without being lost. */
     static MeasuredOutput onRig(Recording recording, Channel channel) {
         double[] raw = recording.values(channel);
-        return new MeasuredOutput(channel, Excitation.bridged(raw), 0, present(raw), 0);
+        return new MeasuredOutput(channel, LostSamples.filled(raw), 0, present(raw), 0);
     }
 
     /**
@@ -45,7 +45,7 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
             counted[i] = valid[i] ? raw[i] : Double.NaN;
         }
         double mean = Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
-        return new MeasuredOutput(channel, Measured.centred(Excitation.bridged(counted)), mean, valid, dropouts.found());
+        return new MeasuredOutput(channel, Measured.centred(LostSamples.filled(counted)), mean, valid, dropouts.found());
     }
 
     private static boolean[] present(double[] x) {

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.signal.Fft;
+import wbv.signal.LostSamples;
 
 /**
  * How noisy a sensor is, from the band above the excitation (0.25 to 0.37 of the sampling rate): the median over blocks, since the
@@ -70,7 +70,7 @@ public final class NoiseLevel {
      * @param x gaps are bridged. Not modified.
      */
     double of(double[] x) {
-        return between(Excitation.bridged(x), LOW, HIGH, BLOCK);
+        return between(LostSamples.filled(x), LOW, HIGH, BLOCK);
     }
 
     /**

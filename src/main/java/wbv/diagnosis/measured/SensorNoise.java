@@ -11,6 +11,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * How noisy the sensors of a model are, standard deviations of a sample: what was stated, or what the recording shows. Of a sitter that is
@@ -57,7 +58,7 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
         return model.base().sensor().filter(base -> !model.driven() && !computed).map(base -> {
             double[] read = recording.values(base);
             boolean encoder = isOfOutputs(base) && Excitation.order(base.quantity()) > 0;
-            return Math.max(encoder ? new NoiseLevel().bound(Excitation.bridged(read)) : 0,
+            return Math.max(encoder ? new NoiseLevel().bound(LostSamples.filled(read)) : 0,
                     Rounding.coarse(read).map(Rounding::noise).orElse(0.0));
         }).orElse(0.0);
     }
@@ -82,7 +83,7 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
     private double unshared(Channel base) {
         NoiseLevel level = new NoiseLevel();
         double own = level.ofPlace(recording, base);
-        List<double[]> alike = new ArrayList<>(List.of(Excitation.bridged(recording.values(base))));
+        List<double[]> alike = new ArrayList<>(List.of(LostSamples.filled(recording.values(base))));
         outputs.stream().filter(output -> !computed && output.channel().quantity() == base.quantity()).map(MeasuredOutput::series)
                 .forEach(alike::add);
         return Math.min(own, level.ofWhatIsNotShared(alike.toArray(double[][]::new)).orElse(own));

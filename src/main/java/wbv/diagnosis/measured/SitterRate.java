@@ -3,11 +3,11 @@ package wbv.diagnosis.measured;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Recording;
 import wbv.signal.BandlimitedResampler;
+import wbv.signal.LostSamples;
 
 /**
  * Brings a fast recording of a sitter to about 60 Hz. What a sitter does lies below 22 Hz: faster samples show no more of it, only more
@@ -54,7 +54,7 @@ final class SitterRate {
         for (int i = 0; i < x.length; i++) {
             counted[i] = valid[i] ? x[i] : Double.NaN;
         }
-        double[] out = BandlimitedResampler.resample(Excitation.bridged(counted), up, down);
+        double[] out = BandlimitedResampler.resample(LostSamples.filled(counted), up, down);
         for (int k = 0; k < out.length; k++) {
             int from = Math.max(0, (int) Math.ceil((double) (k - 1) * down / up));
             int to = Math.min(x.length, (int) Math.floor((double) (k + 1) * down / up) + 1);

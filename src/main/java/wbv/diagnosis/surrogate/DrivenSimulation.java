@@ -9,12 +9,12 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import wbv.body.Model;
-import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * A simulation over the input that drove it, as long as both last. Other channels of the base may have moved the simulation too: what they
@@ -91,7 +91,7 @@ final class DrivenSimulation {
 
     /** What the simulation gave of a channel, gaps bridged. */
     private double[] given(Channel channel) {
-        return Excitation.bridged(simulation.values(channel));
+        return LostSamples.filled(simulation.values(channel));
     }
 
     /** What the simulation did in a plane, if it gave that; nothing where what drove it was held over each sample. */

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import wbv.body.simulate.Excitation;
 import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * What the base's other channels add to an output beside the input: all of them, the input too, through finite impulse responses that are
@@ -44,7 +44,7 @@ final class OtherInputs {
         stride = Math.max(1, (int) Math.round(recording.clock().rate() * STEP));
         List<double[]> all = new ArrayList<>();
         for (Channel channel : Stream.concat(Stream.of(input), others.stream()).toList()) {
-            all.add(Measured.centred(Excitation.bridged(recording.values(channel))));
+            all.add(Measured.centred(LostSamples.filled(recording.values(channel))));
         }
         series = all.toArray(double[][]::new);
         normal = normal();

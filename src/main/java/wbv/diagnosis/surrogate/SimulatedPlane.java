@@ -14,6 +14,7 @@ import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * What a simulation did in the plane of x and z on a base that moves along both: the places of which it gave more than the motion along z,
@@ -50,7 +51,7 @@ final class SimulatedPlane {
             return Optional.empty();
         }
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        axes.forEach(axis -> values.put(axis, Measured.centred(Excitation.bridged(recording.values(axis)))));
+        axes.forEach(axis -> values.put(axis, Measured.centred(LostSamples.filled(recording.values(axis)))));
         outputs.forEach(output -> values.put(output, Measured.centred(simulated.get(output))));
         return Optional.of(new SimulatedPlane(new Recording(recording.clock(), values, Metadata.NONE), axes, places, outputs));
     }

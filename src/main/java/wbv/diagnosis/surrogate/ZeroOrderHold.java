@@ -2,6 +2,7 @@ package wbv.diagnosis.surrogate;
 
 import java.util.Map;
 import wbv.body.simulate.Excitation;
+import wbv.signal.LostSamples;
 
 /** An input that is constant over each sample, as some simulations take it: half a sample late, nearly. */
 final class ZeroOrderHold {
@@ -15,7 +16,7 @@ final class ZeroOrderHold {
      * @param rate   of samples [Hz]
      */
     static double[] of(double[] values, double rate) {
-        Excitation whole = new Excitation(rate, Excitation.bridged(values), Map.of());
+        Excitation whole = new Excitation(rate, LostSamples.filled(values), Map.of());
         double[] spectrum = whole.baseSpectrum().clone();
         for (int k = 0; k < whole.omega().length; k++) {
             double angle = whole.omega()[k] / (2 * rate);

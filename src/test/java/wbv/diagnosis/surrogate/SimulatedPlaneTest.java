@@ -14,7 +14,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -23,6 +22,7 @@ import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
+import wbv.signal.LostSamples;
 
 class SimulatedPlaneTest {
 
@@ -95,7 +95,7 @@ class SimulatedPlaneTest {
 
     private static Map<Channel, double[]> all(Recording simulation) {
         Map<Channel, double[]> out = new LinkedHashMap<>();
-        simulation.channels().forEach(channel -> out.put(channel, Excitation.bridged(simulation.values(channel))));
+        simulation.channels().forEach(channel -> out.put(channel, LostSamples.filled(simulation.values(channel))));
         return out;
     }
 

@@ -30,6 +30,7 @@ import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /** A simulation of which only the outputs are known, and the linear model that does the same. */
 class SurrogateTest {
@@ -129,7 +130,7 @@ class SurrogateTest {
             }
             return y;
         });
-        double[][] outputs = new Simulator(new Excitation(RATE, Excitation.bridged(gaps.values(BASE)), Map.of())).outputs(truth.assembly());
+        double[][] outputs = new Simulator(new Excitation(RATE, LostSamples.filled(gaps.values(BASE)), Map.of())).outputs(truth.assembly());
         Recording simulation = new Recording(gaps.clock(), Map.of(truth.outputs().get(0), outputs[0], truth.outputs().get(1), outputs[1]),
                 Metadata.NONE);
         of(gaps, simulation).errors().values().forEach(error -> assertEquals(0, error, 5e-3));
