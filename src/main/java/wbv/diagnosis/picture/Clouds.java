@@ -2,9 +2,11 @@ package wbv.diagnosis.picture;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.learn.LatentForce;
 
 /**
  * Samples of one signal over another: a thinned cloud of the fitted part and of the held-out part, and the mean of all of them.
@@ -74,5 +76,10 @@ final class Clouds {
 
     private static double[] scaled(double[] values, int[] at, double unit) {
         return IntStream.of(at).mapToDouble(i -> unit * values[i]).toArray();
+    }
+
+    /** What is said of a picture, with how far the sensors' noise scatters a sample of the force. */
+    static String noted(LatentForce latent, String words) {
+        return words + String.format(Locale.ROOT, " The sensors' noise alone scatters a sample by ±%.2g N.", 2 * latent.pointNoise());
     }
 }
