@@ -62,8 +62,8 @@ public final class LawLearner {
 
     /** Whether one way to explain a mismatch is likelier than another, each charged for all its numbers, those of what was named too. */
     public boolean isLikelier(Sentence one, Sentence other) {
-        Sentence first = weighing.begun(one.fit(), one.of());
-        return weighing.best(List.of(first, weighing.begun(other.fit(), other.of()))).fit() == first.fit();
+        Sentence first = weighing.begun(one.fit(), one.words());
+        return weighing.best(List.of(first, weighing.begun(other.fit(), other.words()))).fit() == first.fit();
     }
 
     /**
@@ -118,7 +118,7 @@ public final class LawLearner {
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             Sentence best = weighing.best(all);
-            latest = best.terms().size() >= most || best.evidence() <= 0 || best.isHopelessBeside(than) ? List.of()
+            latest = best.terms().size() >= most || !best.shows() || best.isHopelessBeside(than) ? List.of()
                     : openings.beside(best, link, opening.likely());
             all.addAll(latest);
             latest = latest.isEmpty() || weighing.best(all).fit() == best.fit() ? List.of() : latest;
@@ -136,7 +136,7 @@ public final class LawLearner {
         return terms.size() < 2 ? List.of()
                 : Parallel.map(terms, left -> {
                     List<Hypothesis> kept = terms.stream().filter(term -> term != left).toList();
-                    return weighing.begun(fits.changed(sentence.fit(), kept, kept), sentence.of());
+                    return weighing.begun(fits.changed(sentence.fit(), kept, kept), sentence.words());
                 }).stream().filter(each -> !each.fit().failed()).toList();
     }
 
@@ -153,7 +153,7 @@ public final class LawLearner {
             Optional<Sentence> tried = grammar.limited(known.terms().get(i)).map(term -> {
                 List<Hypothesis> terms = new ArrayList<>(known.terms());
                 terms.set(at, term);
-                return weighing.begun(fits.changed(known.fit(), known.terms(), terms), known.of());
+                return weighing.begun(fits.changed(known.fit(), known.terms(), terms), known.words());
             }).filter(each -> !each.fit().failed());
             if (tried.isPresent() && weighing.best(List.of(known, tried.get())).fit() == tried.get().fit()) {
                 best = tried.get();

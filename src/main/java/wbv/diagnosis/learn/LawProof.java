@@ -67,10 +67,9 @@ public final class LawProof {
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
         double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
-        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+        return sentences.stream().filter(Sentence::shows).limit(HELD_OUT)
                 .filter(sentence -> sentence.fit().reduced() < reach)
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(),
-                        sentence.of(), sentence.unit()))
+                .map(sentence -> sentence.fitted(search.refinement().polish(sentence.fit())))
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
                     return evident && (correction && evidence.onRig() ? foretells(sentence.fit(), than)
@@ -83,7 +82,7 @@ public final class LawProof {
      * every name costs.
      */
     private boolean outweighs(Sentence sentence, Chosen name) {
-        double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
+        double price = sentence.words().price(sentence.terms()) - Math.log(evidence.library().mechanisms().size());
         return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
                 search.refinement().heldOut(name.fit()));
     }

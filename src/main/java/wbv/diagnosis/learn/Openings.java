@@ -127,34 +127,37 @@ final class Openings {
         Motion motion = ground.motion();
         ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), motion);
         Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
-        List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
-        Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
+        List<Hypothesis> all = words.apply(grammar);
+        Vocabulary vocabulary = Vocabulary.of(evidence.library().mechanisms().size(), all);
+        List<Hypothesis> terms = all.stream().filter(open).toList();
+        Sentences sentences = new Sentences(evidence, scored, motion, modulators, link, vocabulary);
         List<Sentences.Proposal> kin = sentences.of(
                 terms.stream().filter(term -> ground.kin().contains(Grammar.modulator(term))).toList(), 1, term -> Optional.empty());
         // What does not pay for its choice and its numbers to first order is not begun.
-        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
+        List<Sentences.Proposal> promising = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
-                .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
+                .flatMap(length -> promising.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> finalists = new ArrayList<>(
-                first(Parallel.map(proposals, proposal -> LawFits.begun(fitter, scored, sentences, proposal)), terms.size()));
+                first(Parallel.map(proposals, proposal -> LawFits.begun(fitter, scored, sentences, proposal)), vocabulary));
         // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
         if (!correction && Refinement.bent(base)) {
-            List<Sentences.Proposal> many = all.stream().filter(proposal -> proposal.terms().size() == 1)
+            List<Sentences.Proposal> many = promising.stream().filter(proposal -> proposal.terms().size() == 1)
                     .filter(proposal -> kin.stream().noneMatch(each -> each.kind().equals(proposal.kind()))).limit(ground.begun())
                     .collect(Collectors.toCollection(() -> new ArrayList<>(kin)));
-            finalists.addAll(first(fits.begunInPart(scored, sentences, many), terms.size()));
+            finalists.addAll(first(fits.begunInPart(scored, sentences, many), vocabulary));
         }
         return new Opening(
                 Parallel.map(finalists, fits::settled).stream().filter(state -> !state.failed())
-                        .map(state -> weighing.begun(state, terms.size()))
+                        .map(state -> weighing.begun(state, vocabulary))
                         .toList(),
                 sentences.likely().stream().map(Hypothesis::form).toList());
     }
 
     /** The most evident of some fits that were begun. */
-    private List<Fitter.State> first(List<Fitter.State> states, int of) {
-        return weighing.of(states.stream().filter(state -> !state.failed()).map(state -> weighing.begun(state, of)).toList()).stream()
+    private List<Fitter.State> first(List<Fitter.State> states, Vocabulary vocabulary) {
+        return weighing.of(states.stream().filter(state -> !state.failed()).map(state -> weighing.begun(state, vocabulary)).toList())
+                .stream()
                 .limit(POLISHED)
                 .map(Sentence::fit).toList();
     }

@@ -3,28 +3,56 @@ package wbv.diagnosis.learn;
 import java.util.List;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Refinement;
 
 /**
- * A sentence of the grammar.
+ * A sentence of the grammar. What it leaves is told in mean squares of the whitened residual [1], all through the whitening of the sentence
+ * that leaves least, with what its numbers cost before the data were seen.
  *
- * @param fit   by free run
- * @param terms that it adds to what was known
- * @param gain by how much it lowers the cost [1] of the model without a law, as {@link Weighing} sees it
- * @param of   how many terms each of its own was chosen
- * @param unit mean square of the residual that the best fit so far leaves; 1 at least
+ * @param fit     by free run
+ * @param terms   that it adds to what was known
+ * @param left    what it leaves
+ * @param without what the model without a law leaves
+ * @param least   what the best of those that it is compared with leaves
+ * @param words   among which its terms were chosen
  */
-public record Sentence(Fitter.State fit, List<Hypothesis> terms, double gain, int of, double unit) {
+public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, double without, double least, Vocabulary words) {
 
     /** How many times the excess of what is known without a law its first terms may leave for others to be sought beside them. */
     private static final double HOPELESS = 10;
 
-    /** Logarithm of its evidence against the model without a law [nat]. */
+    public Sentence {
+        terms = List.copyOf(terms);
+    }
+
+    /**
+     * Logarithm of its evidence against the model without a law [nat]. Of so many terms the best makes up for the form of the others by
+     * chance, which is what its choice costs.
+     */
     public double evidence() {
-        double half = gain / (2 * unit);
-        int numbers = terms.stream().mapToInt(term -> term.numbers().size()).sum();
-        return half - price(half, terms.size(), of, numbers, fit.frame().whitening().degrees());
+        Calibration calibration = Calibration.standard();
+        return calibration.evidence(left, least) - calibration.evidence(without, least) - words.price(terms)
+                - numbers() * calibration.price();
+    }
+
+    /** Whether it explains more than chance lets the best of so many terms explain of data of this length. */
+    boolean shows() {
+        double degrees = fit.frame().whitening().degrees();
+        return (without - left) / (2 * Math.max(1, left)) * degrees > chance(words, terms, degrees);
+    }
+
+    private int numbers() {
+        return terms.stream().mapToInt(term -> term.numbers().size()).sum();
+    }
+
+    /**
+     * What chance may explain [nat]: the choice of each term, and each number as far as data of a length tell it (Schwarz 1978).
+     *
+     * @param degrees of freedom of the data
+     */
+    static double chance(Vocabulary words, List<Hypothesis> terms, double degrees) {
+        return words.price(terms) + 0.5 * terms.stream().mapToInt(term -> term.numbers().size()).sum() * Math.log(degrees);
     }
 
     /** Whether it leaves so much more than what is known without a law that no further term helps. */
@@ -32,24 +60,13 @@ public record Sentence(Fitter.State fit, List<Hypothesis> terms, double gain, in
         return Refinement.excess(fit.reduced()) > HOPELESS * Refinement.excess(than.reduced());
     }
 
+    /** The same, fitted further. */
+    Sentence fitted(Fitter.State further) {
+        return new Sentence(further, terms, left, without, least, words);
+    }
+
     /** Its place and its terms, whatever their order and their numbers. */
     String said() {
         return fit.candidate().last().where() + terms.stream().map(Hypothesis::form).sorted().toList();
-    }
-
-    /**
-     * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart
-     * (Schwarz 1978). A further number has to explain more than a formula that is right may leave, which is right to a part of its own
-     * force only.
-     *
-     * @param gain of the sentence [nat]
-     * @param chosen terms
-     * @param of how many
-     * @param numbers of all terms together
-     * @param degrees of freedom of the data
-     */
-    static double price(double gain, int chosen, int of, int numbers, double degrees) {
-        return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of)
-                + 0.5 * numbers * Math.log(degrees);
     }
 }

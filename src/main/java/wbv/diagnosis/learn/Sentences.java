@@ -37,15 +37,18 @@ final class Sentences {
     private final Screening screening;
     private final List<Screening.Rest> linear;
     private final int link;
+    private final Vocabulary words;
     private final List<Hypothesis> likely = new ArrayList<>();
 
     /**
      * @param state where terms are scored, with its derivatives
      * @param motion measured, of the model there
      * @param modulators along it
+     * @param words among which terms are chosen
      */
-    Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link) {
+    Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link, Vocabulary words) {
         this.state = state;
+        this.words = words;
         this.link = link;
         this.screening = new Screening(evidence, state, motion, modulators);
         this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))),
@@ -59,7 +62,7 @@ final class Sentences {
      * @param values of their numbers, by term
      * @param stiffness by how much the link's own changes beside it [N/m]
      * @param damping likewise [N s/m]
-     * @param worth   logarithm of its evidence to first order [nat]
+     * @param worth   by how much it gains more than chance may make it gain, to first order [nat]
      */
     record Proposal(List<Hypothesis> terms, List<double[]> values, double stiffness, double damping, double worth) {
 
@@ -92,10 +95,10 @@ final class Sentences {
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
                     likely.add(starts.get(0).term());
                 });
-        List<Proposal> out = new ArrayList<>(firsts.stream().skip(BEGUN).map(first -> proposal(List.of(first), terms.size())).toList());
+        List<Proposal> out = new ArrayList<>(firsts.stream().skip(BEGUN).map(first -> proposal(List.of(first))).toList());
         for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variant))) {
             List<Column> chosen = new ArrayList<>(List.of(first));
-            out.add(proposal(chosen, terms.size()));
+            out.add(proposal(chosen));
             while (chosen.size() < most) {
                 Column found = columns.stream().filter(column -> chosen.stream().noneMatch(known -> known.term() == column.term()))
                         .max(Comparator.comparingDouble(column -> gain(with(chosen, column)))).orElse(first);
@@ -103,7 +106,7 @@ final class Sentences {
                     break;
                 }
                 chosen.add(found);
-                out.add(proposal(chosen, terms.size()));
+                out.add(proposal(chosen));
             }
         }
         out.sort(Comparator.comparingDouble(Proposal::worth).reversed());
@@ -191,7 +194,7 @@ final class Sentences {
         return out;
     }
 
-    private Proposal proposal(List<Column> chosen, int terms) {
+    private Proposal proposal(List<Column> chosen) {
         List<Screening.Rest> rests = rests(chosen);
         double[] strength = new double[rests.size()];
         double gain = Screening.combined(rests, strength);
@@ -207,11 +210,10 @@ final class Sentences {
             }
             values.add(own);
         }
-        int numbers = chosen.stream().mapToInt(column -> column.start().values().length).sum();
+        List<Hypothesis> terms = chosen.stream().map(Column::term).toList();
         double degrees = state.frame().whitening().degrees();
         double unit = Math.max(1, (state.square() - gain) / degrees);
-        return new Proposal(chosen.stream().map(Column::term).toList(), values, strength[0], strength[1],
-                gain / (2 * unit) - Sentence.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
+        return new Proposal(terms, values, strength[0], strength[1], gain / (2 * unit) - Sentence.chance(words, terms, degrees));
     }
 
     /**

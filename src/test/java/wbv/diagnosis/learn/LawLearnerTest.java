@@ -63,7 +63,7 @@ public class LawLearnerTest {
                 new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.08),
                 new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03), new LearnedInertance(4),
                 new LearnedTerm(Shape.DEFLECTION, Modulator.parse("negative part of the load of link 2"), 2500),
-                new Learned.Thinning(4000, 0.7, 0.005), new Learned.Thinning(8000, 1, 0.01));
+                new Learned.Thinning(4000, 0.7, 0.005), new Learned.Thinning(8000, 1, 0.01), new Learned.Thinning(3000, 2, 0.02));
     }
 
     @Tag("slow")
