@@ -294,13 +294,15 @@ public final class Analysis {
         return text.toString();
     }
 
-    /** What is wrong with the channels used, by kind, gravest first. */
+    /** What is wrong with the channels used, by kind, gravest first; last that the seat's unit is assumed, where it may be another. */
     public List<FoldedFindings.Line> findings() {
         Set<String> used = new HashSet<>();
         used.add(input.location());
         outputs().forEach(output -> used.add(output.location()));
         exposure.ifPresent(each -> used.add(each.place()));
-        return FoldedFindings.of(inspection, used);
+        Stream<FoldedFindings.Line> unit = exposure.flatMap(SeatMeasurement::unit).stream()
+                .map(remark -> new FoldedFindings.Line(remark.severity(), remark.message(), remark.advice()));
+        return Stream.concat(FoldedFindings.of(inspection, used).stream(), unit).toList();
     }
 
     /** Whether a channel is an acceleration, with gravity or without. */
