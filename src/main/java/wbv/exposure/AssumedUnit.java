@@ -12,10 +12,10 @@ import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.Severity;
 
 /**
- * Whether an acceleration that is taken for m/s² may as well be in g: where nobody states its unit and no gravity shows it, its level is all
- * that speaks. Levels of seats in use scatter about {@link #TYPICAL} by factors, up as far as down. What is nearer to it in g than in m/s²
- * is thus likelier to be in g, however widely they scatter: what is less than a √9.81-th of it. That is no proof, and no reason to refuse:
- * on a good track a seat is as quiet.
+ * Whether an acceleration that is taken for m/s² may as well be in g: where nobody states its unit and no gravity shows it, its level is
+ * all that speaks. Levels of seats in use scatter about {@link #TYPICAL} by factors, up as far as down. What is nearer to it in g than in
+ * m/s², less than a √9.81-th of it, is thus likelier to be in g, however widely they scatter. That is no proof, and no reason to refuse:
+ * a seat on a good track is as quiet.
  */
 final class AssumedUnit {
 
