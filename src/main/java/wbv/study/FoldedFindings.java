@@ -51,6 +51,32 @@ public final class FoldedFindings {
         return seen.findings().stream().map(FoldedFindings::single).toList();
     }
 
+    /**
+     * What a recording lacks or holds falsely of these channels, one line a kind with every count: gaps, samples that are missing or zero,
+     * clipping, spikes, channels that stand still.
+     *
+     * @param used channels
+     */
+    public static List<Line> damage(Inspection seen, Set<Channel> used) {
+        Map<Class<?>, List<Finding>> kinds = new LinkedHashMap<>();
+        seen.findings().stream().filter(finding -> isDamage(finding, used))
+                .forEach(finding -> kinds.computeIfAbsent(finding.getClass(), kind -> new ArrayList<>()).add(finding));
+        return kinds.values().stream().map(same -> new Line(same.get(0).severity(),
+                same.stream().limit(MOST_NAMES).map(Finding::message).collect(Collectors.joining("; "))
+                        + (same.size() > MOST_NAMES ? "; and " + (same.size() - MOST_NAMES) + " more" : ""),
+                same.get(0).advice())).toList();
+    }
+
+    private static boolean isDamage(Finding finding, Set<Channel> used) {
+        if (finding instanceof Finding.Missing missing) {
+            return missing.channels().stream().anyMatch(used::contains);
+        } else if (finding instanceof Finding.ZeroRows zero) {
+            return !zero.leading() && used.stream().anyMatch(channel -> channel.location().equals(zero.location()));
+        }
+        return finding instanceof Finding.Gap || finding instanceof Finding.DroppedPackets || channel(finding).filter(used::contains)
+                .isPresent();
+    }
+
     /** Where something was found; empty if it concerns the whole recording. */
     public static Optional<String> place(Finding finding) {
         if (finding instanceof Finding.Missing missing) {

@@ -28,8 +28,8 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
 
     private static final Pattern BRACKETS = Pattern.compile("^(.*?)\\s*[\\[({]([^\\[\\](){}]*)[\\])}]\\s*$");
     private static final Pattern TAIL = Pattern.compile("^(.*?)[_ ]"
-            + "(m_?s_?2|m_per_s2|mps2|mm_s2|cm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|rpm|m_s|mm_s|cm_s|km_?h|mm|cm|um|m|rad|mrad|deg"
-            + "|n|kn|kgf|lbf|ms|us|ns|s|sec|v|mv|degc)$",
+            + "(m_?s_?2|m_per_s2|mps2|mm_s2|cm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|rpm|m_s|mm_s|cm_s|km_?h|mm|cm|um|m|rad|mrad"
+            + "|deg|n|kn|kgf|lbf|ms|us|ns|s|sec|v|mv|degc)$",
             Pattern.CASE_INSENSITIVE);
     private static final Pattern NUMBERED = Pattern.compile("^(.*?)(?:[(\\[]:,(\\d+)[)\\]]|[(\\[](\\d+),:[)\\]])$|^(\\d{1,3})$");
     private static final Pattern COMPACT = Pattern
