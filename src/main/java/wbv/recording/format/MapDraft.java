@@ -39,7 +39,7 @@ public final class MapDraft {
     private static final double EPOCH = 1e5;
 
     private final ForeignTable table;
-    private final Subject subject;
+    private final Specimen specimen;
     private final List<NameWords> words = new ArrayList<>();
     private final List<String> lines = new ArrayList<>();
     private final Set<String> questions = new LinkedHashSet<>();
@@ -54,7 +54,7 @@ public final class MapDraft {
         for (int i = 0; i < table.labels().size(); i++) {
             words.add(NameWords.of(table.labels().get(i), table.units().get(i)));
         }
-        subject = Subject.of(words.stream().map(NameWords::label).toList());
+        specimen = Specimen.of(words.stream().map(NameWords::label).toList());
     }
 
     /**
@@ -90,7 +90,7 @@ public final class MapDraft {
 
     /** The command that suits what the columns are, with what it needs beside recording and map. */
     public String command() {
-        return subject.command(channels.keySet());
+        return specimen.command(channels.keySet());
     }
 
     /**
@@ -183,7 +183,7 @@ public final class MapDraft {
         List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty())
                 .toList();
         if (!nowhere.isEmpty()) {
-            questions.add("Where was the sensor of " + names(nowhere) + "? '" + subject.place() + "' stands for it.");
+            questions.add("Where was the sensor of " + names(nowhere) + "? '" + specimen.place() + "' stands for it.");
         }
         sensors.values().forEach(this::sensor);
     }
@@ -192,7 +192,7 @@ public final class MapDraft {
     private void sensor(List<Integer> columns) {
         NameWords first = words.get(columns.get(0));
         Quantity named = first.label().quantity().orElse(Quantity.ACCELERATION);
-        String place = first.label().place().orElse(subject.place());
+        String place = first.label().place().orElse(specimen.place());
         Scale scale = scale(named, columns, first.linear());
         boolean inOrder = columns.size() == 3 && columns.stream().allMatch(i -> words.get(i).label().axis().isEmpty());
         for (int k = 0; k < columns.size(); k++) {

@@ -9,7 +9,7 @@ import wbv.recording.Quantity;
 import wbv.recording.signals.Label;
 
 /** What was measured, as the columns of a foreign table tell it, and which command suits it. */
-enum Subject {
+enum Specimen {
     /** Someone who sits, or whatever else is shaken. */
     SITTER("seat"),
     /** Something that is pushed or driven on a bench: a force, a displacement or a velocity was measured, and no place of a sitter. */
@@ -22,12 +22,12 @@ enum Subject {
 
     private final String place;
 
-    Subject(String place) {
+    Specimen(String place) {
         this.place = place;
     }
 
     /** Whose columns these are. */
-    static Subject of(Collection<Label> columns) {
+    static Specimen of(Collection<Label> columns) {
         boolean seated = columns.stream().flatMap(label -> label.place().stream()).flatMap(place -> List.of(place.split("_")).stream())
                 .anyMatch(SEATED::contains);
         boolean pushed = columns.stream().flatMap(label -> label.quantity().stream()).anyMatch(PUSHED::contains);
