@@ -5,11 +5,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,6 +39,7 @@ import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.RowSource;
 import wbv.report.diagnosis.DiagnosisReport;
 import wbv.result.OutputFolder;
+import wbv.study.FoldedFindings;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
@@ -122,6 +125,7 @@ final class Diagnose implements Callable<Integer> {
             measured.flatMap(Model::guess).ifPresent(notes::add);
             measured.ifPresent(each -> require(each, inspection));
             Recording loaded = source.load(inspection);
+            damage(inspection, measured, "").forEach(notes::add);
             Rides rides = rides(loaded, measured, notes, bar);
             OptionalDouble known = noise.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
             Diagnosed diagnosed = measured.isEmpty() ? held(loaded, driver, known, folder, notes, bar)
@@ -137,7 +141,8 @@ final class Diagnose implements Callable<Integer> {
             DiagnosisReport.write(diagnosis, Pictures.of(diagnosed), provenance(notes).entries(), folder);
             folder.publish();
             bar.close();
-            answer.print(summary(diagnosis, notes), wrote(forces.isPresent()), out.json("diagnosis.json"));
+            answer.print(notes.stream().map(note -> note + "\n").collect(Collectors.joining()) + diagnosis.summary(),
+                    wrote(forces.isPresent()), out.json("diagnosis.json"));
         }
         return 0;
     }
@@ -149,22 +154,31 @@ final class Diagnose implements Callable<Integer> {
         }
         Map<String, Recording> fitted = new LinkedHashMap<>(Map.of(recording.title(), first));
         for (Path path : others) {
-            if (fitted.put(path.toString(), another(path, model, bar)) != null) {
+            if (fitted.put(path.toString(), another(path, model, notes, bar)) != null) {
                 throw wrong("--with " + path + " is named twice");
             }
         }
         Optional<Map.Entry<String, Recording>> last = proof.isEmpty() ? Optional.empty()
-                : Optional.of(Map.entry("proof " + proof.get(), another(proof.get(), model, bar)));
+                : Optional.of(Map.entry("proof " + proof.get(), another(proof.get(), model, notes, bar)));
         notes.add("fitted to " + String.join(", ", fitted.keySet())
                 + (proof.isPresent() ? "; proven on " + proof.get() + ", which took no part" : "; proven on the end of the last"));
         return Rides.of(fitted, last);
     }
 
-    private Recording another(Path path, Optional<Model> model, ProgressBar bar) throws IOException {
+    private Recording another(Path path, Optional<Model> model, List<String> notes, ProgressBar bar) throws IOException {
         RowSource source = recording.another(path);
         Inspection inspection = source.inspect(share -> bar.at("reading", share));
         model.ifPresent(each -> require(each, inspection));
+        damage(inspection, model, path + ": ").forEach(notes::add);
         return source.load(inspection);
+    }
+
+    /** What a recording lacks or holds falsely of what is used of it, one line a kind. */
+    private static List<String> damage(Inspection inspection, Optional<Model> model, String whose) {
+        Set<Channel> used = model
+                .map(each -> Stream.concat(each.excitations().stream(), each.outputs().stream()).collect(Collectors.toSet()))
+                .orElse(inspection.summaries().keySet());
+        return FoldedFindings.damage(inspection, used).stream().map(line -> line.severity() + ": " + whose + line.message()).toList();
     }
 
     /** Refuses a recording that lacks what a model is moved by or predicts. */
@@ -228,19 +242,6 @@ final class Diagnose implements Callable<Integer> {
 
     private ParameterException wrong(String usage) {
         return new ParameterException(spec.commandLine(), usage);
-    }
-
-    private static String summary(Diagnosis diagnosis, List<String> notes) {
-        StringBuilder text = new StringBuilder();
-        notes.forEach(note -> text.append(note).append('\n'));
-        text.append(diagnosis.verdict().word()).append(": ").append(diagnosis.sentence()).append('\n');
-        diagnosis.fit().nrmseAfter().forEach((channel, after) -> text.append(String.format(Locale.ROOT,
-                "  %-18s held-out error %5.1f %% before, %5.1f %% after, %5.1f %% is noise%n", channel,
-                100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel))));
-        if (!diagnosis.nextExperiment().isEmpty()) {
-            text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
-        }
-        return text.toString();
     }
 
     private String wrote(boolean forces) {

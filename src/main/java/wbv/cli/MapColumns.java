@@ -60,8 +60,9 @@ final class MapColumns implements Callable<Integer> {
         StringBuilder text = new StringBuilder(file.getFileName() + " is " + draft.where() + ".\n");
         draft.lines().forEach(line -> text.append("  ").append(line).append('\n'));
         draft.questions().forEach(question -> text.append("QUESTION: ").append(question).append('\n'));
+        List<String> command = List.of(draft.command().split(" ", 2));
         answer.print(text.toString(), "Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
-                + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map + "\n", () -> json);
+                + command.get(0) + " " + file + " --map " + map + (command.size() > 1 ? " " + command.get(1) : "") + "\n", () -> json);
         return 0;
     }
 

@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
@@ -52,8 +53,17 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
 
         /** {@code missing-physics} and so on. */
         public String word() {
-            return name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+            return name().toLowerCase(Locale.ROOT).replace('_', '-');
         }
+    }
+
+    /** What matters most, in a few lines of text: verdict and sentence, errors on data not used, what would settle it. */
+    public String summary() {
+        StringBuilder text = new StringBuilder(verdict.word()).append(": ").append(sentence).append('\n');
+        fit.channels()
+                .forEach(proof -> text.append(String.format(Locale.ROOT, "  %-18s held-out error %5.1f %% before, %5.1f %% after, %s%n",
+                        proof.channel(), 100 * proof.before().value(), 100 * proof.after().value(), proof.noise())));
+        return text.append(nextExperiment.isEmpty() ? "" : "  To settle it: " + nextExperiment + "\n").toString();
     }
 
     /**
@@ -187,7 +197,15 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param floor ratio that noise alone would leave
      * @param removed part of what is above the noise that went; NaN where there was too little to remove
      */
-    public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {}
+    public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) {
+
+        /** How much of the channel noise is, in words: where less is left than it was taken for, it is no more than that. */
+        public String noise() {
+            boolean bound = floor > after.value();
+            return String.format(Locale.ROOT, bound ? "at most %.1f %% is noise" : "%5.1f %% is noise",
+                    100 * (bound ? after.value() : floor));
+        }
+    }
 
     /**
      * A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said.

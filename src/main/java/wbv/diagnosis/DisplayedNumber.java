@@ -65,7 +65,7 @@ public record DisplayedNumber(String label, double factor, String unit) {
 
     /**
      * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known,
-     * that side: {@code not identifiable, at most 0.06 mm/s}.
+     * that side: {@code not identifiable, at most 0.06 mm/s}; of a bound below 0, whose size says the contrary, {@code below −0.05}.
      *
      * @param value in the key's unit
      * @param interval likewise
@@ -75,8 +75,9 @@ public record DisplayedNumber(String label, double factor, String unit) {
         double high = factor * interval.high();
         if (!interval.isClosed()) {
             boolean neither = Double.isInfinite(low) && Double.isInfinite(high);
-            return "not identifiable" + (neither ? "" : (Double.isInfinite(low) ? ", at most " + significant(high, 2)
-                    : ", at least " + significant(low, 2)) + tail());
+            return "not identifiable"
+                    + (neither ? "" : (Double.isInfinite(low) ? (high < 0 ? ", below " : ", at most ") + significant(high, 2)
+                            : (low < 0 ? ", above " : ", at least ") + significant(low, 2)) + tail());
         }
         if (!(high > low)) {
             return text(value);

@@ -75,13 +75,17 @@ final class LearnedVerdict {
 
     /**
      * The diagnosis of mechanisms one of which has another form than the library's: what it does beside that was learned, and stands beside
-     * its name.
+     * its name. Empty where it takes nothing that shows of what the name leaves on data not used: then the name says all.
      *
      * @param named what was said without it
      * @param held what it leaves on data not used without it
      * @param rivals other corrections
      */
-    Diagnosed corrected(Diagnosis named, double held, List<Diagnosis.LearnedLaw.Rival> rivals) {
+    Optional<Diagnosed> corrected(Diagnosis named, double held, List<Diagnosis.LearnedLaw.Rival> rivals) {
+        return gone(held) < VerdictWords.LEAST_SHOWN ? Optional.empty() : Optional.of(beside(named, held, rivals));
+    }
+
+    private Diagnosed beside(Diagnosis named, double held, List<Diagnosis.LearnedLaw.Rival> rivals) {
         Values values = new Values(evidence, best);
         String where = best.candidate().last().where();
         List<Diagnosis.Named> missing = named.missing().stream().map(one -> best.candidate().added().stream()
@@ -90,7 +94,7 @@ final class LearnedVerdict {
         return shown.of(values.fit(), values.scale(), model -> {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(named.verdict(),
-                    words.sentence(named.verdict(), missing,
+                    words.sentence(named.verdict(), missing, named.alternatives(),
                             words.ending(Refinement.explained(fits.base(), best), missing.get(0).numbers(), named.alternatives()), false)
                             + String.format(Locale.ROOT,
                                     " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.",

@@ -57,7 +57,8 @@ final class Learning {
         return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
                 .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
                 .or(() -> form
-                        .map(beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside))))
+                        .flatMap(
+                                beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside))))
                 .orElse(found);
     }
 

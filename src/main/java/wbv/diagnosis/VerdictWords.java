@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -13,6 +14,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
@@ -24,6 +26,9 @@ import wbv.recording.Quantity;
 final class VerdictWords {
 
     private static final Set<Slot.Kind> NUMBERS = Set.of(Slot.Kind.STIFFNESS, Slot.Kind.DAMPING, Slot.Kind.MASS);
+
+    /** What is told as more than 0 %. */
+    static final double LEAST_SHOWN = 0.005;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -72,7 +77,8 @@ final class VerdictWords {
                 numbers.where(), numbers.parameters().get(key));
     }
 
-    String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending, boolean untold) {
+    /** @param rivals what else it may be, likeliest first */
+    String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals, String ending, boolean untold) {
         String found = missing.stream().map(named -> Phrases.of(evidence.library(), named))
                 .reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
                         + next.substring(1))
@@ -82,14 +88,35 @@ final class VerdictWords {
                     "Nothing is missing: the model as given leaves %.2f times the noise%s", given.reduced(), ending);
             case PARAMETERS_ONLY -> String.format(Locale.ROOT,
                     "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times%s",
-                    base.reduced(), given.reduced(), ending) + alike();
+                    base.reduced(), given.reduced(), ending)
+                    + (alike().isEmpty() ? new WrongNumbers(evidence, base, scale).words() : alike());
             case CANNOT_TELL -> "Cannot tell whether anything is missing: " + ending;
             case UNEXPLAINED -> String.format(Locale.ROOT,
                     "Something is missing (%.3g times the noise), and nothing in the library explains it%s", base.reduced(), ending);
             case LEARNED_LAW -> throw new IllegalStateException("a law that was learned has a sentence of its own");
-            case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
+            case AMBIGUOUS -> found + ending + apart(missing, rivals);
             case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
         };
+    }
+
+    /**
+     * What the recording does not tell from what was found: of the names that are not told apart by their odds the one that explains most,
+     * as far as it explains any; where noise is all that is left in any case, the likeliest.
+     */
+    private String apart(List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals) {
+        double least = Priors.USUAL.odds() * missing.stream().mapToDouble(Diagnosis.Named::probability).min().orElse(1);
+        boolean quiet = base.reduced() <= Refinement.SILENT;
+        Optional<Diagnosis.Named> nearest = rivals.stream().filter(rival -> rival.probability() > least)
+                .filter(rival -> quiet || Refinement.explained(base, rival.reduced()) >= LEAST_SHOWN)
+                .max(Comparator.comparingDouble(
+                        rival -> quiet ? rival.probability() : Refinement.explained(base, rival.reduced())));
+        return nearest.map(rival -> rival.mechanism().equals(new ParameterError().word())
+                ? " The recording does not tell it from wrong values alone." : rival.equals(rivals.get(0))
+                        ? " The recording does not tell the two apart."
+                        : " The recording does not tell it from " + rival.mechanism() + " at "
+                                + rival.where()
+                                + (quiet ? "." : ", which explains " + Phrases.percent(Refinement.explained(base, rival.reduced())) + "."))
+                .orElse(" No other name explains any of it, and this one leaves too much to be sure.");
     }
 
     /**

@@ -60,7 +60,8 @@ final class Verdicts {
         Diagnosis.Verdict verdict = plain ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
         Presentation shown = grounds.shown();
         return shown.of(found.fit(), found.scale(), model -> new Diagnosis(verdict,
-                grounds.words().sentence(verdict, missing, found.ending(), untold), new Mismatch(evidence, base).located(), missing,
+                grounds.words().sentence(verdict, missing, found.rivals(), found.ending(), untold), new Mismatch(evidence, base).located(),
+                missing,
                 found.rivals(), experiment(verdict, missing, found.rivals(), idle), shown.figures(found.fit()), found.where(), model,
                 Optional.empty()));
     }

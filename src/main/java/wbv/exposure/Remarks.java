@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import wbv.recording.Channel;
@@ -36,8 +37,9 @@ final class Remarks {
     }
 
     static List<Remark> of(Inspection inspection, String place, Map<SeatAxis, Vibration> axes, boolean boxcar,
-            List<Channel> used) {
+            List<Channel> used, Optional<Remark> unit) {
         List<Remark> remarks = new ArrayList<>();
+        unit.ifPresent(remarks::add);
         missingAxes(remarks, place, axes);
         place(remarks, place);
         lost(remarks, inspection, place, used);

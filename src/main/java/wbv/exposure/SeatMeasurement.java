@@ -25,12 +25,14 @@ import wbv.signal.ThirdOctaves;
  * @param spine          vertical dose of ISO 2631-5
  * @param histories      by axis
  * @param spectra        by axis; empty where the recording is too short for any
+ * @param unit           that the seat's acceleration may be in g, where nothing says that it is in m/s²; one of the remarks
  * @param remarks        what the reader has to know, gravest first
  */
 public record SeatMeasurement(Inspection inspection, Metadata metadata, String place, boolean boxcar,
         Map<SeatAxis, Vibration> axes, Map<SeatAxis, Vibration> base, Optional<String> basePlace,
         Map<ComfortAxis, Double> comfort, Optional<Vibration> sickness, Optional<Spine> spine,
-        Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, List<Remark> remarks) {
+        Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, Optional<Remark> unit,
+        List<Remark> remarks) {
 
     /**
      * What ISO 2631-5 makes of vertical shocks.

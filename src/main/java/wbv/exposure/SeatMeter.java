@@ -319,9 +319,10 @@ public final class SeatMeter {
         comfort.forEach((axis, line) -> levels.put(axis, line.meter.vibration().rms()));
         Optional<SeatMeasurement.Spine> dose = Optional.ofNullable(axes.get(SeatAxis.Z))
                 .map(z -> new SeatMeasurement.Spine(spine.dose(), spine.peaks(), z.seconds()));
+        Optional<Remark> unit = AssumedUnit.of(inspection, metadata, seat.values().stream().map(Line::channel).toList(), axes);
         return new SeatMeasurement(inspection, metadata, place, setup.boxcar, axes, vibrations(base), basePlace, levels,
-                sickness.map(Meter::vibration), dose, histories, thirdOctaves(),
-                Remarks.of(inspection, place, axes, setup.boxcar, lines.stream().map(Line::channel).toList()));
+                sickness.map(Meter::vibration), dose, histories, thirdOctaves(), unit,
+                Remarks.of(inspection, place, axes, setup.boxcar, lines.stream().map(Line::channel).toList(), unit));
     }
 
     /** The axes of which something could be measured. */

@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The columns of a table that is named as ours are: {@code t} and channels. */
+/** The columns of a table that is named as ours are: {@code t} and channels. Slot 0 is the time's, whether there is a {@code t} or not. */
 public record Header(List<Channel> channels, int[] slots) {
 
     /** Name of the column of times. */
@@ -23,6 +23,16 @@ public record Header(List<Channel> channels, int[] slots) {
             throw DataFault.at(file, line, "the header must have a column t and channels such as head.acc.z; it has "
                     + shortened(names) + "; " + advice);
         }
+        return untimed(file, line, names, advice);
+    }
+
+    /**
+     * The header that these names make, of a table whose rate is known otherwise: it may do without a {@code t}.
+     *
+     * @param advice how to read a file with other columns
+     * @throws DataFault if there is no channel, a name is no channel, or one stands twice
+     */
+    public static Header untimed(String file, long line, List<String> names, String advice) {
         requireDistinct(file, line, names);
         List<Channel> channels = new ArrayList<>();
         int[] slots = new int[names.size()];

@@ -16,9 +16,10 @@ import java.util.OptionalDouble;
  * @param dailyMinutes minutes a day of this task, for exposure
  * @param source       where the samples came from, in words
  * @param notes        anything else, by name: firmware, filter profile, seed
+ * @param units        the unit that the file, its sidecar or its map states, by channel or {@code t}; none where SI is taken for granted
  */
 public record Metadata(OptionalDouble rate, Map<String, String> serials, Optional<Subject> subject, Optional<String> task,
-        OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes) {
+        OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes, Map<String, String> units) {
 
     /** Nothing known. */
     public static final Metadata NONE = new Metadata(OptionalDouble.empty(), Map.of(), Optional.empty(), Optional.empty(),
@@ -33,11 +34,23 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
         }
         serials = Collections.unmodifiableMap(new LinkedHashMap<>(serials));
         notes = Collections.unmodifiableMap(new LinkedHashMap<>(notes));
+        units = Collections.unmodifiableMap(new LinkedHashMap<>(units));
+    }
+
+    /** What is known of a recording of which nobody states a unit. */
+    public Metadata(OptionalDouble rate, Map<String, String> serials, Optional<Subject> subject, Optional<String> task,
+            OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes) {
+        this(rate, serials, subject, task, dailyMinutes, source, notes, Map.of());
+    }
+
+    /** The same with units that are stated, by channel or {@code t}. */
+    public Metadata withUnits(Map<String, String> stated) {
+        return new Metadata(rate, serials, subject, task, dailyMinutes, source, notes, stated);
     }
 
     /** The same with another nominal rate [Hz]. */
     public Metadata withRate(OptionalDouble other) {
-        return new Metadata(other, serials, subject, task, dailyMinutes, source, notes);
+        return new Metadata(other, serials, subject, task, dailyMinutes, source, notes, units);
     }
 
     /** What this one knows, and where it is silent what the other knows. */
@@ -46,8 +59,10 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
         bothSerials.putAll(serials);
         Map<String, String> bothNotes = new LinkedHashMap<>(other.notes);
         bothNotes.putAll(notes);
+        Map<String, String> bothUnits = new LinkedHashMap<>(other.units);
+        bothUnits.putAll(units);
         return new Metadata(rate.isPresent() ? rate : other.rate, bothSerials, subject.or(other::subject), task.or(other::task),
-                dailyMinutes.isPresent() ? dailyMinutes : other.dailyMinutes, source.or(other::source), bothNotes);
+                dailyMinutes.isPresent() ? dailyMinutes : other.dailyMinutes, source.or(other::source), bothNotes, bothUnits);
     }
 
     /**

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
@@ -294,13 +295,17 @@ public final class Analysis {
         return text.toString();
     }
 
-    /** What is wrong with the channels used, by kind, gravest first. */
+    /** What is wrong with the channels used, by kind, gravest first; last units that may be others. */
     public List<FoldedFindings.Line> findings() {
         Set<String> used = new HashSet<>();
         used.add(input.location());
         outputs().forEach(output -> used.add(output.location()));
         exposure.ifPresent(each -> used.add(each.place()));
-        return FoldedFindings.of(inspection, used);
+        Stream<FoldedFindings.Line> unit = exposure.flatMap(SeatMeasurement::unit).stream()
+                .map(remark -> new FoldedFindings.Line(remark.severity(), remark.message(), remark.advice()));
+        Stream<FoldedFindings.Line> other = IntStream.range(0, followed.size()).boxed().flatMap(i -> frequencyResponse(i)
+                .flatMap(response -> FoldedFindings.units(input, followed.get(i).channel(), response)).stream());
+        return Stream.of(FoldedFindings.of(inspection, used).stream(), other, unit).flatMap(each -> each).toList();
     }
 
     /** Whether a channel is an acceleration, with gravity or without. */

@@ -1,6 +1,7 @@
 package wbv.study;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -9,11 +10,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import wbv.recording.Channel;
+import wbv.recording.Quantity;
+import wbv.recording.Unit;
 import wbv.recording.inspect.Finding;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.Severity;
 import wbv.result.Digits;
+import wbv.signal.FrequencyResponse;
 
 /** What is wrong with a recording, folded: one line a kind, however many sensors it befell. */
 public final class FoldedFindings {
@@ -21,6 +26,10 @@ public final class FoldedFindings {
     private static final int MOST_NAMES = 4;
     /** Shares that differ by less than a quarter are told as one. */
     private static final double ALIKE = 1.25;
+    /** Up to here nothing on a base moves a ninth or nine times as much: a seat resonates at 1 Hz or more, a sitter at 4 Hz [Hz]. */
+    private static final double SLOW = 2;
+    /** Bins that have to show it. */
+    private static final int LEAST_SLOW = 3;
 
     private FoldedFindings() {}
 
@@ -49,6 +58,55 @@ public final class FoldedFindings {
     /** All findings, one by one. */
     public static List<Line> each(Inspection seen) {
         return seen.findings().stream().map(FoldedFindings::single).toList();
+    }
+
+    /**
+     * What a recording lacks or holds falsely of these channels, one line a kind with every count: gaps, samples that are missing or zero,
+     * clipping, spikes, channels that stand still.
+     *
+     * @param used channels
+     */
+    public static List<Line> damage(Inspection seen, Set<Channel> used) {
+        Map<Class<?>, List<Finding>> kinds = new LinkedHashMap<>();
+        seen.findings().stream().filter(finding -> isDamage(finding, used))
+                .forEach(finding -> kinds.computeIfAbsent(finding.getClass(), kind -> new ArrayList<>()).add(finding));
+        return kinds.values().stream().map(same -> new Line(same.get(0).severity(),
+                same.stream().limit(MOST_NAMES).map(Finding::message).collect(Collectors.joining("; "))
+                        + (same.size() > MOST_NAMES ? "; and " + (same.size() - MOST_NAMES) + " more" : ""),
+                same.get(0).advice())).toList();
+    }
+
+    /**
+     * That one of two accelerations looks to be in g and the other in m/s²: a body moves with its base where that moves slowly, below all
+     * resonances, and one ninth or nine times as much as none does.
+     *
+     * @param h from input to output
+     */
+    public static Optional<Line> units(Channel input, Channel output, FrequencyResponse h) {
+        boolean[] usable = h.usable();
+        double[] slow = IntStream.range(0, usable.length).filter(k -> usable[k] && h.frequency()[k] <= SLOW).limit(LEAST_SLOW)
+                .mapToDouble(k -> h.h1().magnitude(k)).toArray();
+        double mean = Math.exp(Arrays.stream(slow).map(Math::log).average().orElse(0));
+        boolean alike = input.quantity() == Quantity.ACCELERATION && output.quantity() == Quantity.ACCELERATION
+                && output.axis() == input.axis();
+        boolean ninth = Math.abs(Math.abs(Math.log(mean)) - Math.log(Unit.STANDARD_GRAVITY)) < Math.log(ALIKE);
+        return alike && slow.length == LEAST_SLOW && ninth
+                ? Optional.of(new Line(Severity.WARNING,
+                        output + " moves " + Digits.significant(mean, 2) + " times as much as " + input + " below "
+                                + Digits.significant(SLOW, 1)
+                                + " Hz, where all moves alike: one of the two looks to be in g; state the unit",
+                        "behind the name in the header, " + output + " [g], or as \"units\" in the sidecar"))
+                : Optional.empty();
+    }
+
+    private static boolean isDamage(Finding finding, Set<Channel> used) {
+        if (finding instanceof Finding.Missing missing) {
+            return missing.channels().stream().anyMatch(used::contains);
+        } else if (finding instanceof Finding.ZeroRows zero) {
+            return !zero.leading() && used.stream().anyMatch(channel -> channel.location().equals(zero.location()));
+        }
+        return finding instanceof Finding.Gap || finding instanceof Finding.DroppedPackets || channel(finding).filter(used::contains)
+                .isPresent();
     }
 
     /** Where something was found; empty if it concerns the whole recording. */

@@ -33,6 +33,8 @@ class DisplayedNumberTest {
         double open = Double.POSITIVE_INFINITY;
         assertEquals("not identifiable, at most 260 ms", DisplayedNumber.of("delay_s").text(0.2, closed(-open, 0.2602)));
         assertEquals("not identifiable, at least 0.30 kN/m", DisplayedNumber.of("stiffness_N_per_m").text(900, closed(301, open)));
+        assertEquals("not identifiable, below −5.1 mm", DisplayedNumber.of("low_m").text(-0.02, closed(-open, -0.0051)));
+        assertEquals("not identifiable, above −0.013", DisplayedNumber.of("low").text(-0.001, closed(-0.013, open)));
         assertEquals("not identifiable", DisplayedNumber.of("delay_s").text(0.2, closed(-open, open)));
     }
 

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -39,6 +40,17 @@ class QuestionTest {
         assertEquals(Diagnosis.Verdict.NOTHING_MISSING, Diagnoser.diagnose(question, (step, share) -> {}).verdict());
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY,
                 Diagnoser.diagnose(Question.of(model(36000, 2000), recording), (step, share) -> {}).verdict());
+    }
+
+    /** The stiffness is 40 % off, the damping is right. */
+    @Test
+    void theNumbersThatAreWrongAreNamed() {
+        String sentence = Diagnoser.diagnose(Question.of(model(36000, 1500), recording(60000, 1500)), (step, share) -> {}).sentence();
+        assertTrue(sentence.contains(" Surely wrong: stiffness of platform-seat, given 36.00 kN/m, found "), sentence);
+        double found = Double
+                .parseDouble(sentence.replaceFirst(".*stiffness of platform-seat, given 36.00 kN/m, found ([0-9.]+) kN/m.*", "$1"));
+        assertEquals(60, found, 1.5);
+        assertFalse(sentence.contains("damping"), sentence);
     }
 
     @Test

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import wbv.recording.DataFault;
-import wbv.recording.Header;
+import wbv.recording.Metadata;
 import wbv.recording.Provenance;
 import wbv.recording.RowReader;
 
@@ -21,6 +21,11 @@ final class ArffFormat implements Format {
     @Override
     public boolean recognises(Head head) {
         return head.firstAfter("%").toLowerCase(Locale.ROOT).startsWith("@relation");
+    }
+
+    @Override
+    public boolean statesUnits() {
+        return false;
     }
 
     @Override
@@ -46,9 +51,11 @@ final class ArffFormat implements Format {
         if (!data) {
             throw DataFault.in(source.name(), "has no @data line; the ARFF file is cut off");
         }
-        Header header = Header.of(source.name(), lines.line(), names, "attributes of other data are not read");
-        DelimitedTable table = new DelimitedTable(lines, names, header.slots(), ',', '%');
-        return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
+        Metadata metadata = context.metadata(Provenance.parse(comments));
+        NamedColumns columns = NamedColumns.of(source.name(), lines.line(), names, List.of(), context.sidecar().units(), metadata.rate(),
+                "attributes of other data are not read");
+        DelimitedTable table = new DelimitedTable(lines, names, columns.columns().slots(), ',', '%');
+        return new MappedReader(table, columns.columns(), columns.time(metadata.rate()), metadata.withUnits(columns.stated()));
     }
 
     /**

@@ -5,10 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 import wbv.recording.DataFault;
 import wbv.recording.Header;
+import wbv.recording.Metadata;
 import wbv.recording.Provenance;
 import wbv.recording.RowReader;
 
-/** Our CSV: comment lines {@code # key: value}, the header {@code t,head.acc.z,…}, rows. Semicolons and tabs are read too. */
+/**
+ * Our CSV: comment lines {@code # key: value}, the header {@code t,head.acc.z,…}, perhaps a row of units, rows. Semicolons and tabs are
+ * read too.
+ */
 final class CsvFormat implements Format {
 
     private static final String ADVICE = "say which columns are which channels with a column map (--map; 'wbv map' drafts one)";
@@ -16,7 +20,12 @@ final class CsvFormat implements Format {
     @Override
     public boolean recognises(Head head) {
         String header = head.firstAfter("#");
-        return DelimitedTable.names(header, DelimitedTable.separator(header)).contains(Header.TIME);
+        return NamedColumns.bare(DelimitedTable.names(header, DelimitedTable.separator(header))).contains(Header.TIME);
+    }
+
+    @Override
+    public boolean statesUnits() {
+        return false;
     }
 
     @Override
@@ -29,9 +38,20 @@ final class CsvFormat implements Format {
         String text = lines.text();
         char separator = DelimitedTable.separator(text);
         List<String> names = DelimitedTable.names(text, separator);
-        Header header = Header.of(source.name(), lines.line(), names, ADVICE);
-        DelimitedTable table = new DelimitedTable(lines, names, header.slots(), separator, '#');
-        return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
+        List<String> below = below(Head.of(source), separator);
+        Metadata metadata = context.metadata(Provenance.parse(comments));
+        NamedColumns columns = NamedColumns.of(source.name(), lines.line(), names, below, context.sidecar().units(), metadata.rate(),
+                ADVICE);
+        DelimitedTable table = new DelimitedTable(lines, names, columns.columns().slots(), separator, '#');
+        return new MappedReader(below.isEmpty() ? table : table.withUnitsBelow(), columns.columns(), columns.time(metadata.rate()),
+                metadata.withUnits(columns.stated()));
+    }
+
+    /** The cells below the header, where they are units. */
+    private static List<String> below(Head head, char separator) {
+        List<String> cells = head.lines().stream().filter(line -> !line.startsWith("#")).skip(1).findFirst()
+                .map(line -> DelimitedTable.names(line, separator)).orElse(List.of());
+        return NamedColumns.areUnits(cells) ? cells : List.of();
     }
 
     /** Reads the comment lines before the header and stands on the header. */

@@ -19,6 +19,11 @@ sealed interface Format permits ArffFormat, CsvFormat, DotFormat, MappedFormat, 
      */
     RowReader open(Source source, Context context) throws IOException;
 
+    /** Whether a file of this format, or a map of it, says what its numbers are in. */
+    default boolean statesUnits() {
+        return true;
+    }
+
     /** The format of a file. CSV comes last: it takes everything, and says what is wrong with it. */
     static Format of(Head head, ReadOptions options) {
         Optional<SignalKind> signals = SignalKind.of(head.bytes());

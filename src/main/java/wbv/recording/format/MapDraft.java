@@ -29,8 +29,6 @@ import wbv.recording.signals.Label;
  */
 public final class MapDraft {
 
-    /** Where a sensor sat that nobody names. */
-    private static final String ASSUMED_PLACE = "seat";
     /** The length of the mean of an accelerometer at rest is within this share of gravity; it is tilted and it is moved. */
     private static final double ABOUT = 0.08;
     /** Counts of a g that digital accelerometers have. */
@@ -41,6 +39,7 @@ public final class MapDraft {
     private static final double EPOCH = 1e5;
 
     private final ForeignTable table;
+    private final Specimen specimen;
     private final List<NameWords> words = new ArrayList<>();
     private final List<String> lines = new ArrayList<>();
     private final Set<String> questions = new LinkedHashSet<>();
@@ -55,6 +54,7 @@ public final class MapDraft {
         for (int i = 0; i < table.labels().size(); i++) {
             words.add(NameWords.of(table.labels().get(i), table.units().get(i)));
         }
+        specimen = Specimen.of(words.stream().map(NameWords::label).toList());
     }
 
     /**
@@ -88,9 +88,9 @@ public final class MapDraft {
         return List.copyOf(questions);
     }
 
-    /** Whether the sensors sat at one place alone. */
-    public boolean onePlace() {
-        return channels.keySet().stream().map(Channel::location).distinct().count() == 1;
+    /** The command that suits what the columns are, with what it needs beside recording and map. */
+    public String command() {
+        return specimen.command(channels.keySet());
     }
 
     /**
@@ -183,7 +183,7 @@ public final class MapDraft {
         List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty())
                 .toList();
         if (!nowhere.isEmpty()) {
-            questions.add("Where was the sensor of " + names(nowhere) + "? '" + ASSUMED_PLACE + "' stands for it.");
+            questions.add("Where was the sensor of " + names(nowhere) + "? '" + specimen.place() + "' stands for it.");
         }
         sensors.values().forEach(this::sensor);
     }
@@ -192,7 +192,7 @@ public final class MapDraft {
     private void sensor(List<Integer> columns) {
         NameWords first = words.get(columns.get(0));
         Quantity named = first.label().quantity().orElse(Quantity.ACCELERATION);
-        String place = first.label().place().orElse(ASSUMED_PLACE);
+        String place = first.label().place().orElse(specimen.place());
         Scale scale = scale(named, columns, first.linear());
         boolean inOrder = columns.size() == 3 && columns.stream().allMatch(i -> words.get(i).label().axis().isEmpty());
         for (int k = 0; k < columns.size(); k++) {

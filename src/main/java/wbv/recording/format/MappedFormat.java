@@ -46,7 +46,7 @@ record MappedFormat(ColumnMap map) implements Format {
         }
         MappedColumns columns = MappedColumns.of(source.name(), lines.line(), names, map);
         return new MappedReader(new DelimitedTable(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
-                context.metadata(Provenance.parse(comments)));
+                context.metadata(Provenance.parse(comments)).withUnits(NamedColumns.known(columns.channels())));
     }
 
     private String sought() {

@@ -7,7 +7,7 @@ import wbv.recording.Metadata;
 import wbv.recording.RowReader;
 import wbv.recording.Unit;
 
-/** A foreign table: cells brought to SI by the units that its map gives them. */
+/** A table: cells brought to SI by the units that its map, its header or its sidecar gives them. */
 final class MappedReader implements RowReader {
 
     private final SlotRows rows;

@@ -65,7 +65,8 @@ final class MvnxReader implements RowReader {
         held = true;
         Map<String, String> notes = recorded.isEmpty() ? Map.of() : Map.of("recorded", recorded);
         metadata = context.metadata(new Metadata(rate > 0 ? OptionalDouble.of(rate) : OptionalDouble.empty(), Map.of(),
-                Optional.empty(), Optional.empty(), OptionalDouble.empty(), Optional.of("MVNX export"), notes));
+                Optional.empty(), Optional.empty(), OptionalDouble.empty(), Optional.of("MVNX export"), notes))
+                .withUnits(NamedColumns.known(channels));
     }
 
     private static Map<String, Quantity> elements() {

@@ -28,14 +28,17 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
 
     private static final Pattern BRACKETS = Pattern.compile("^(.*?)\\s*[\\[({]([^\\[\\](){}]*)[\\])}]\\s*$");
     private static final Pattern TAIL = Pattern.compile("^(.*?)[_ ]"
-            + "(m_?s_?2|m_per_s2|mps2|mm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|m_s|mm|n|kn|ms|us|ns|s|sec|v|mv|degc)$",
+            + "(m_?s_?2|m_per_s2|mps2|mm_s2|cm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|rpm|m_s|mm_s|cm_s|km_?h|mm|cm|um|m|rad|mrad"
+            + "|deg|n|kn|kgf|lbf|ms|us|ns|s|sec|v|mv|degc)$",
             Pattern.CASE_INSENSITIVE);
     private static final Pattern NUMBERED = Pattern.compile("^(.*?)(?:[(\\[]:,(\\d+)[)\\]]|[(\\[](\\d+),:[)\\]])$|^(\\d{1,3})$");
     private static final Pattern COMPACT = Pattern
             .compile("^(a|acc|accel|linacc|g|gyr|gyro|w|rot|m|mag|q|quat|f|force|v|vel|d|pos)([xyzw])$");
     private static final Map<String,
             String> TAILS = Map.ofEntries(Map.entry("ms2", "m/s2"), Map.entry("mpers2", "m/s2"), Map.entry("mps2", "m/s2"),
-                    Map.entry("mms2", "mm/s2"), Map.entry("degs", "deg/s"), Map.entry("degpers", "deg/s"), Map.entry("rads", "rad/s"),
+                    Map.entry("mms2", "mm/s2"), Map.entry("cms2", "cm/s2"),
+                    Map.entry("mms", "mm/s"), Map.entry("cms", "cm/s"), Map.entry("kmh", "km/h"), Map.entry("degs", "deg/s"),
+                    Map.entry("degpers", "deg/s"), Map.entry("rads", "rad/s"),
                     Map.entry("radpers", "rad/s"),
                     Map.entry("n", "N"), Map.entry("kn", "kN"), Map.entry("sec", "s"), Map.entry("v", "V"), Map.entry("mv", "mV"),
                     Map.entry("degc", "°C"));

@@ -24,7 +24,12 @@ public record RecordingFile(Path path, ReadOptions options) implements RowSource
         Source source = Source.open(path);
         try {
             Sidecar sidecar = Sidecar.of(path);
-            RowReader reader = Format.of(Head.of(source), options).open(source, new Context(path, options, sidecar));
+            Format format = Format.of(Head.of(source), options);
+            if (!sidecar.units().isEmpty() && format.statesUnits()) {
+                throw DataFault.in(Sidecar.beside(path).toString(), "'units' is about a CSV or ARFF that is named as ours are; " + path
+                        + " has its units from " + (options.map().isPresent() ? "the map" : "what it says itself"));
+            }
+            RowReader reader = format.open(source, new Context(path, options, sidecar));
             return SignedReader.of(reader, sidecar, path);
         } catch (DataFault | IOException failed) {
             source.close();

@@ -3,6 +3,8 @@ package wbv.recording.format;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import wbv.recording.BoundedReader;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -54,7 +56,7 @@ final class RowColumns {
             return false;
         }
         return options.map().isPresent() ? new MappedFormat(options.map().get()).header(cells)
-                : cells.contains(Header.TIME) || cells.contains(SAMPLE_TIME);
+                : NamedColumns.bare(cells).contains(Header.TIME) || cells.contains(SAMPLE_TIME);
     }
 
     /**
@@ -82,8 +84,9 @@ final class RowColumns {
     }
 
     private static RowColumns own(String where, long line, List<String> names, ReadOptions options) {
-        Header header = Header.of(where, line, names, ADVICE);
-        return new RowColumns(names, header.slots(), header.channels(), new Unit[0], false, options);
+        Header.of(where, line, NamedColumns.bare(names), ADVICE); // rows that come one by one say their times themselves
+        MappedColumns columns = NamedColumns.of(where, line, names, List.of(), Map.of(), OptionalDouble.empty(), ADVICE).columns();
+        return new RowColumns(names, columns.slots(), columns.channels(), columns.units(), false, options);
     }
 
     private static RowColumns counted(String where, long line, List<String> names, String sensor, ReadOptions options) {

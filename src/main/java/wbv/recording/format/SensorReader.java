@@ -41,7 +41,7 @@ final class SensorReader implements RowReader {
             throws IOException {
         this.table = table;
         this.columns = columns;
-        this.metadata = metadata;
+        this.metadata = metadata.withUnits(NamedColumns.known(columns.channels()));
         this.ticksPerSecond = ticksPerSecond;
         this.modulus = modulus;
         this.raw = new double[columns.width()];

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -14,6 +15,7 @@ import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Json;
 import wbv.recording.Metadata;
+import wbv.recording.signals.UnitWords;
 
 /**
  * What stands in {@code name.json} beside {@code name.csv}: everything that no column can hold.
@@ -22,21 +24,23 @@ import wbv.recording.Metadata;
  * {"rate_hz": 60, "task": "haul road, loaded", "daily_minutes": 380, "source": "…",
  *  "subject": {"mass_kg": 79.4, "height_m": 1.8, "age": 44, "sex": "male"},
  *  "serials": {"seat": "00B42235"}, "locations": {"00B42235": "seat"},
- *  "axis_signs": {"seat": {"y": -1, "z": -1}}, "notes": {"firmware": "4.0.2"}}
+ *  "axis_signs": {"seat": {"y": -1, "z": -1}}, "units": {"t": "ms", "seat.acc": "g"}, "notes": {"firmware": "4.0.2"}}
  * }</pre>
  *
  * @param metadata  what it says about the recording
  * @param locations location by sensor serial, device tag or file name
  * @param signs     by location, the axes that a sensor was mounted the wrong way round on, as factors of x, y and z
+ * @param units     what the numbers of a table are in, by {@code t}, channel, {@code place.quantity} or quantity
  */
-public record Sidecar(Metadata metadata, Map<String, String> locations, Map<String, AxisSigns> signs) {
+public record Sidecar(Metadata metadata, Map<String, String> locations, Map<String, AxisSigns> signs, Map<String, String> units) {
 
     /** Nothing beside the file. */
-    public static final Sidecar NONE = new Sidecar(Metadata.NONE, Map.of(), Map.of());
+    public static final Sidecar NONE = new Sidecar(Metadata.NONE, Map.of(), Map.of(), Map.of());
 
     public Sidecar {
         locations = Map.copyOf(locations);
         signs = Map.copyOf(signs);
+        units = Collections.unmodifiableMap(new LinkedHashMap<>(units));
     }
 
     /** Where the sidecar of a recording is, or would be. */
@@ -64,7 +68,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
      */
     public static Sidecar read(Path path) throws IOException {
         Json json = Json.read(path);
-        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source",
+        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "units", "subject", "task", "daily_minutes", "source",
                 "notes");
         Map<String, AxisSigns> signs = new LinkedHashMap<>();
         json.object("axis_signs").ifPresent(all -> all.objects().forEach((location, axes) -> {
@@ -74,7 +78,14 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         Metadata metadata = new Metadata(json.number("rate_hz", Clock.SLOWEST, Clock.FASTEST), json.texts("serials"),
                 json.object("subject").map(Sidecar::subject), json.text("task"), json.number("daily_minutes", 0, 1440),
                 json.text("source"), json.texts("notes"));
-        return new Sidecar(metadata, json.texts("locations"), signs);
+        return new Sidecar(metadata, json.texts("locations"), signs, units(json));
+    }
+
+    private static Map<String, String> units(Json json) {
+        Map<String, String> units = new LinkedHashMap<>();
+        json.texts("units").forEach((key, written) -> units.put(key, UnitWords.of(written).orElseThrow(
+                () -> json.fault("units." + key, "is no unit that is known, such as g, m/s2, ms, mm or kN: '" + written + "'"))));
+        return units;
     }
 
     private static Metadata.Subject subject(Json json) {
@@ -93,7 +104,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
 
     /**
      * Faults a file where the sidecar of a new recording would go, if writing it would lose what only a person can have said: a
-     * comment, locations, axis signs (which the new recording has behind it), or a file that is no sidecar at all.
+     * comment, locations, axis signs and units (which the new recording has behind it), or a file that is no sidecar at all.
      *
      * @param recording that is to be written
      */
@@ -106,7 +117,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         try {
             read(path);
             Json json = Json.read(path);
-            ours = !json.has("comment") && !json.has("locations") && !json.has("axis_signs");
+            ours = !json.has("comment") && !json.has("locations") && !json.has("axis_signs") && !json.has("units");
         } catch (DataFault foreign) {
             ours = false;
         }
@@ -119,7 +130,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
     /** Writes what is known about a recording beside it, unless nothing is known and nothing stands there. */
     public static void writeBeside(Path recording, Metadata metadata) throws IOException {
         Path path = beside(recording);
-        if (!metadata.equals(Metadata.NONE) || Files.exists(path)) {
+        if (!metadata.withUnits(Map.of()).equals(Metadata.NONE) || Files.exists(path)) {
             write(path, metadata);
         }
     }

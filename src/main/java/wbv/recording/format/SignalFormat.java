@@ -41,7 +41,8 @@ record SignalFormat(SignalKind kind) implements Format {
         Metadata metadata = context
                 .metadata(new Metadata(map.time().rate().isPresent() ? map.time().rate() : signals.rate(), Map.of(), Optional.empty(),
                         Optional.empty(), OptionalDouble.empty(),
-                        Optional.of(kind + " file"), notes));
+                        Optional.of(kind + " file"), notes))
+                .withUnits(NamedColumns.known(columns.channels()));
         return new MappedReader(new SignalRows(source, signals, columns.slots()), columns, map.time(), metadata);
     }
 

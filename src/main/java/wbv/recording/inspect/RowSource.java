@@ -40,7 +40,7 @@ public interface RowSource {
      * As {@link #inspect()}, telling how far it is.
      *
      * @param progress called now and then with the share read, 0 to 1, or NaN where that is unknown
-     * @throws DataFault if a row is not one, or there are fewer than two
+     * @throws DataFault if a row is not one, there are fewer than two, or their times look to be in another unit than seconds
      */
     default Inspection inspect(DoubleConsumer progress) throws IOException {
         try (RowReader reader = bounded()) {
@@ -52,7 +52,9 @@ public interface RowSource {
                     progress.accept(reader.fractionRead());
                 }
             }
-            return inspector.finish();
+            Inspection seen = inspector.finish();
+            SuspectTimes.check(seen, reader.metadata());
+            return seen;
         }
     }
 

@@ -1,0 +1,82 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import wbv.body.ModelFile;
+import wbv.diagnosis.algebra.DampedEquations;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Slot;
+import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.search.MassScale;
+
+/**
+ * Which numbers of a model are wrong where nothing else is: those that were found another than given by more than 95 % leave open, surest
+ * first. A number that the recording hardly tells may be found anywhere, and is not among them.
+ */
+final class WrongNumbers {
+
+    private static final int MOST = 3;
+
+    private final Evidence evidence;
+    private final Fitter.State base;
+    private final MassScale scale;
+
+    /**
+     * @param base with fitted values
+     * @param scale of its masses
+     */
+    WrongNumbers(Evidence evidence, Fitter.State base, MassScale scale) {
+        this.evidence = evidence;
+        this.base = base;
+        this.scale = scale;
+    }
+
+    /** @param sureness by how many standard deviations it is off */
+    private record Off(Knob knob, double found, double sureness) {}
+
+    /** A sentence with a blank before it; nothing where no number is surely wrong, or nobody gave one. */
+    String words() {
+        if (evidence.standsForSimulation()) {
+            return "";
+        }
+        Fitter.State sloped = new Fitter(evidence).lookWithSlopes(base.candidate(), base.x(), base.frame());
+        double[][] curvature = sloped.failed() ? new double[0][] : new Normal(sloped).curvature();
+        if (curvature.length == 0 || !Arrays.stream(curvature).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite)) {
+            return "";
+        }
+        List<Off> off = IntStream.range(0, base.candidate().given()).boxed().flatMap(i -> off(i, curvature).stream())
+                .sorted(Comparator.comparingDouble(Off::sureness).reversed()).limit(MOST).toList();
+        return off.isEmpty() ? ""
+                : " Surely wrong: " + off.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
+    }
+
+    private Optional<Off> off(int i, double[][] curvature) {
+        Knob knob = base.candidate().knobs().get(i);
+        if (knob.unit() != 0 || !(knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS)) {
+            return Optional.empty();
+        }
+        double[] unit = new double[curvature.length];
+        unit[i] = 1;
+        double variance = Math.max(0, DampedEquations.solve(curvature, unit, base.held(), 0)[i]);
+        double deviation = Math.hypot(Math.hypot(Math.sqrt(variance), scale.deviation()), SmallError.Kind.GAIN.deviation());
+        double shift = base.x()[i] + Math.log(scale.factor());
+        double sureness = Math.abs(shift) / deviation;
+        return base.held()[i] || !(sureness > Interval.Z) ? Optional.empty()
+                : Optional.of(new Off(knob, scale.factor() * knob.value(base.x()[i]), sureness));
+    }
+
+    private String told(Off off) {
+        boolean about = evidence.model().links().stream()
+                .anyMatch(link -> link.name().equals(off.knob().place()) && evidence.model().about(link));
+        DisplayedNumber number = DisplayedNumber.of(about ? ModelFile.keyAbout(off.knob().key()) : off.knob().key());
+        return number.label() + " of " + off.knob().place() + ", given " + number.text(off.knob().reference()) + ", found "
+                + number.text(off.found());
+    }
+}
