@@ -70,7 +70,7 @@ class ArchitectureTest {
             "wbv.recording", List.of("", ".inspect", ".signals", ".format"),
             "wbv.body", List.of(".number", ".law", "", ".simulate"),
             "wbv.control", List.of("", ".trial"),
-            "wbv.diagnosis", List.of(".algebra", ".mechanism", ".measured", ".fit", ".search", ".learn", "", ".picture", ".surrogate"),
+            "wbv.diagnosis", List.of(".algebra", ".mechanism", ".measured", ".fit", ".search", ".convention", ".learn", "", ".picture", ".surrogate"),
             "wbv.filter", List.of(".model", ".drift", ""),
             "wbv.state", List.of(".mixture", ".markov", ""),
             "wbv.rig", List.of(".platform", "", ".concealed.law", ".concealed"),

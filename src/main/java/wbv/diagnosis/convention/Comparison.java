@@ -1,0 +1,193 @@
+package wbv.diagnosis.convention;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import wbv.body.Model;
+import wbv.body.simulate.Excitation;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.measured.Measured;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.signal.ScalarProduct;
+
+/** A model beside a part of a recording, as it is read and as conventions have it, each with the numbers that suit it best. */
+final class Comparison {
+
+    /** One recording in so many has some convention amiss, assumed. */
+    private static final double AMISS = 50;
+    /** Conventions that are fitted after a look at all. */
+    private static final int FITTED = 6;
+    /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
+    private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
+
+    /** Part of an output that is left of which the model tells nothing: what is narrow in frequency chance explains some of. */
+    private static final double UNEXPLAINED = 0.5;
+
+    private final Model model;
+    private final Recording part;
+    private final Stretch stretch;
+    private final Case asRead;
+    private final Optional<Weighed> given;
+
+    Comparison(Model model, Recording part) {
+        this.model = model;
+        this.part = part;
+        this.stretch = new Stretch(present(model, part));
+        this.asRead = new Case(Optional.empty(), runs(model, part), spectra(part));
+        this.given = fit(asRead).best(starts(asRead)).map(fit -> new Weighed(asRead, fit, fit.cost()));
+    }
+
+    /** A convention, or none, and the model and the measurements that it makes. */
+    private record Case(Optional<Convention> convention, ModelRuns runs, double[][] measured) {}
+
+    /**
+     * A case and what came of it.
+     *
+     * @param cost with that of the convention itself [nat]
+     */
+    private record Weighed(Case of, NumberFit.Fit fit, double cost) {
+        Convention convention() {
+            return of.convention().orElseThrow();
+        }
+
+        /** Part of what the sensors measured that is left [1]. */
+        double left() {
+            return Arrays.stream(fit.left()).map(part -> Math.min(1, part)).average().orElse(1);
+        }
+    }
+
+    /**
+     * What is held.
+     *
+     * @param before part of what the sensors measured that is left as it is read [1]
+     * @param after  likewise as it is meant [1]
+     * @param others what explains as much, of which no recording tells it apart
+     */
+    record Held(Convention convention, double before, double after, List<Convention> others) {}
+
+    private static boolean[] present(Model model, Recording part) {
+        boolean[] present = new boolean[part.length()];
+        Arrays.fill(present, true);
+        Stream.concat(model.outputs().stream(), model.excitations().stream()).map(part::values).forEach(x -> {
+            for (int i = 0; i < present.length; i++) {
+                present[i] &= !Double.isNaN(x[i]);
+            }
+        });
+        return present;
+    }
+
+    private ModelRuns runs(Model meant, Recording read) {
+        return new ModelRuns(meant, Excitation.of(meant, read, read.length()), stretch);
+    }
+
+    private double[][] spectra(Recording read) {
+        return model.outputs().stream().map(output -> stretch.spectrum(read.values(output))).toArray(double[][]::new);
+    }
+
+    private static NumberFit fit(Case of) {
+        return new NumberFit(of.runs(), of.measured());
+    }
+
+    /** Whether as much is left of what the sensors measured that one of so many conventions could be held. */
+    boolean asks(int conventions) {
+        return given.filter(fit -> fit.cost() - fit(asRead).least() > sure(conventions)).isPresent();
+    }
+
+    /** Odds against chance, in the logarithm, that a convention has to have beside those of any being amiss, and of its being that one. */
+    private static double sure(int conventions) {
+        double chance = Priors.USUAL.chance();
+        return Math.log((1 - chance) / chance) + Math.log(AMISS * conventions);
+    }
+
+    /**
+     * Outputs of which the model explains next to nothing, whatever its numbers, and should explain more.
+     *
+     * @param share part of the output's power that it should make at least, as it was given [1]
+     */
+    List<Channel> unexplained(double share) {
+        return given.flatMap(fit -> asRead.runs().given().map(run -> IntStream.range(0, model.outputs().size()).filter(o -> {
+            double[] own = asRead.measured()[o];
+            double expected = ScalarProduct.of(run.outputs()[o], run.outputs()[o]) / ScalarProduct.of(own, own);
+            return fit.fit().left()[o] > UNEXPLAINED && expected > share;
+        }).mapToObj(model.outputs()::get).toList())).orElse(List.of());
+    }
+
+    /** The one of some conventions that is held; empty where none is. */
+    Optional<Held> held(List<Convention> all) {
+        return given.filter(before -> asks(all.size())).flatMap(before -> {
+            List<Weighed> fitted = Parallel.map(likeliest(all), this::weighed).stream().flatMap(Optional::stream)
+                    .filter(after -> explains(before, after)).sorted(Comparator.comparingDouble(Weighed::cost)).toList();
+            return fitted.stream().findFirst().filter(best -> before.cost() - best.cost() > sure(all.size()))
+                    .map(best -> new Held(best.convention(), before.left(), best.left(), fitted.stream().skip(1)
+                            .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds()))
+                            .map(Weighed::convention).toList()));
+        });
+    }
+
+    private List<Case> likeliest(List<Convention> all) {
+        List<Case> cases = all.stream().map(this::read).toList();
+        double[] costs = new double[cases.size()];
+        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse() + size(cases.get(i)));
+        return IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(i -> costs[i])).limit(FITTED).map(cases::get)
+                .toList();
+    }
+
+    private Case read(Convention convention) {
+        Recording read = convention.read(part);
+        Model meant = convention.read(model);
+        boolean runsAnew = !meant.equals(model) || model.excitations().stream().anyMatch(convention.touched()::contains);
+        return new Case(Optional.of(convention), runsAnew ? runs(meant, read) : asRead.runs(), spectra(read));
+    }
+
+    private Optional<Weighed> weighed(Case of) {
+        return fit(of).best(starts(of)).map(fit -> new Weighed(of, fit, fit.cost() + size(of)));
+    }
+
+    private List<double[]> starts(Case of) {
+        List<double[]> starts = new ArrayList<>(List.of(of.runs().shifted(0, 0)));
+        for (double[] shift : model.isRig() && !model.driven() ? SHIFTS : new double[0][]) {
+            starts.add(of.runs().shifted(shift[0], shift[1]));
+        }
+        return starts;
+    }
+
+    /** By how much less usual sizes are as a convention has them [nat]. */
+    private double size(Case of) {
+        Convention convention = of.convention().orElseThrow();
+        Recording read = convention.read(part);
+        return UsualSize.cost(convention.read(model)) - UsualSize.cost(model) + convention.touched().stream()
+                .mapToDouble(channel -> UsualSize.cost(channel.quantity(), rms(read.values(channel)))
+                        - UsualSize.cost(channel.quantity(), rms(part.values(channel))))
+                .sum();
+    }
+
+    private static double rms(double[] x) {
+        return Math.sqrt(Arrays.stream(Measured.centred(Excitation.bridged(x))).map(value -> value * value).average().orElseThrow());
+    }
+
+    /** Whether a convention leaves next to nothing of what it touches: of all outputs where that is what moves them. */
+    private boolean explains(Weighed before, Weighed after) {
+        Set<Channel> outputs = new HashSet<>(model.outputs());
+        if (!after.convention().touched().isEmpty() && model.excitations().stream().noneMatch(after.convention().touched()::contains)) {
+            outputs.retainAll(after.convention().touched());
+        }
+        double was = 0;
+        double is = 0;
+        for (int o = 0; o < model.outputs().size(); o++) {
+            if (outputs.contains(model.outputs().get(o))) {
+                was += Math.min(1, before.fit().left()[o]);
+                is += Math.min(1, after.fit().left()[o]);
+            }
+        }
+        return is < (1 - Refinement.NEARLY_ALL) * was;
+    }
+}
