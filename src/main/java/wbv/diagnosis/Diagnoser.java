@@ -68,9 +68,11 @@ public final class Diagnoser {
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         Model model = question.asked();
-        return ConventionCheck.of(model, question.recording(), !question.unitsKnown(), question.simulation().isEmpty())
+        // A person's accelerations in another unit are refused at once; how long a bench must be recorded goes by its numbers' units.
+        Optional<Evidence> admitted = model.isRig() ? Optional.empty() : Optional.of(asked(question, model));
+        return ConventionCheck.of(model, question.recording(), !question.unitsKnown(), question.isOfGivenNumbers())
                 .map(meant -> examine(question.meant(meant), progress).saying(meant.sentence()))
-                .orElseGet(() -> examine(question, asked(question, model), progress));
+                .orElseGet(() -> examine(question, admitted.orElseGet(() -> asked(question, model)), progress));
     }
 
     private static Diagnosed examine(Question question, Evidence evidence, BiConsumer<String, Double> progress) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.body.Drive;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.diagnosis.convention.Meant;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
@@ -73,6 +74,12 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
     /** The same of another recording. */
     Question with(Recording other) {
         return new Question(model, other, simulation, noise, unitsKnown, provedFrom, library);
+    }
+
+    /** Whether the numbers of the model are its user's, and none that a simulation has been fitted by. */
+    boolean isOfGivenNumbers() {
+        return simulation.isEmpty() && model.assembly().outputs().stream().flatMap(output -> output.faults().stream())
+                .noneMatch(SensorFault.Beside.class::isInstance);
     }
 
     /** The same of a recording and a model as they are meant. */

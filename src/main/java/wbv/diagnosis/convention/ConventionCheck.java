@@ -33,6 +33,9 @@ public final class ConventionCheck {
     /** Times what is told from chance that the model must expect of a channel for its silence to say anything. */
     private static final double TOLD = 2;
 
+    /** The least part that is said. */
+    private static final double LEAST = 1e-4;
+
     private final Model model;
     private final Recording recording;
     private final List<Channel> channels;
@@ -68,35 +71,40 @@ public final class ConventionCheck {
 
     private Optional<Meant> meant(Recording recorded, boolean units, boolean modelsOwn) {
         List<Convention> all = Conventions.of(model, recording, units, modelsOwn);
-        Comparison comparison = new Comparison(model, liveliest());
-        if (!comparison.asks(all.size())) {
+        Agreement agreement = new Agreement(model, liveliest());
+        if (!agreement.asks(all.size())) {
             return Optional.empty();
         }
-        List<Channel> silent = silent(comparison);
-        return silent.isEmpty() ? comparison.held(all).map(held -> meant(held, recorded)) : Optional.of(Meant.without(silent, recorded));
+        List<Channel> silent = silent(agreement);
+        return silent.isEmpty() ? agreement.held(all).map(held -> meant(held, recorded)) : Optional.of(Meant.without(silent, recorded));
     }
 
     /** Sensors that carry nothing. */
-    private List<Channel> silent(Comparison comparison) {
+    private List<Channel> silent(Agreement agreement) {
         Unmoved unmoved = new Unmoved(recording, channels);
-        List<Channel> suspects = channels.stream().filter(model.outputs()::contains)
-                .filter(comparison.unexplained(TOLD * unmoved.told(channels.get(0)))::contains).toList();
-        boolean all = suspects.size() == model.outputs().size();
-        if (all && model.isRig() && suspects.stream().allMatch(output -> unmoved.beside(output, model.excitations()))) {
+        boolean all = agreement.unexplained(0).size() == model.outputs().size();
+        if (all && model.isRig() && model.outputs().stream().allMatch(output -> unmoved.beside(output, model.excitations()))) {
             throw new DataFault(String.format("no more of what the model's sensors measured goes with %s than chance gives: "
                     + "is it the right input, connected, and on the same clock?", named(model.excitations())));
         }
-        return all ? List.of() : suspects.stream().filter(output -> unmoved.beside(output, channels)).toList();
+        return all ? List.of() : model.outputs().stream()
+                .filter(output -> agreement.unexplained(TOLD * unmoved.told(output)).contains(output) && unmoved.beside(output, channels))
+                .toList();
     }
 
-    private Meant meant(Comparison.Held held, Recording recorded) {
+    private Meant meant(Agreement.Held held, Recording recorded) {
         String others = held.others().isEmpty() ? ""
                 : " The same would show if " + held.others().stream().map(Convention::amiss).collect(Collectors.joining(", or if "))
                         .replace(" is of", " were of").replace(" reads ", " read ").replace(" have ", " had ") + ".";
         return new Meant(held.convention()::read, held.convention().read(recorded),
-                String.format(Locale.ROOT, "%s, and %s: as recorded the model leaves %.2g %% of what its sensors measured, whatever its "
-                        + "numbers, so %.2g %%; %s.%s", held.convention().amiss(), held.convention().done(), 100 * held.before(),
-                        100 * held.after(), held.convention().remedy(), others));
+                String.format("%s, and %s: as recorded the model leaves %s of %s, whatever its numbers, so %s; %s.%s",
+                        held.convention().amiss(), held.convention().done(), percent(held.before()),
+                        held.outputs().size() == model.outputs().size() ? "what its sensors measured" : named(held.outputs()),
+                        percent(held.after()), held.convention().remedy(), others));
+    }
+
+    private static String percent(double part) {
+        return part < LEAST ? "less than " + percent(LEAST) : String.format(Locale.ROOT, part < 0.1 ? "%.2g %%" : "%.0f %%", 100 * part);
     }
 
     private static String named(List<Channel> some) {

@@ -22,8 +22,10 @@ public record Meant(UnaryOperator<Model> model, Recording recording, String sent
         String names = silent.stream().map(Channel::toString).collect(Collectors.joining(" and "));
         return new Meant(
                 model -> model.seenBy(model.outputs().stream().filter(output -> !silent.contains(output)).toList()), recording,
-                String.format("%s %s nothing of the motion: no more of %s goes with any other channel than chance gives; %s noise alone, and "
-                        + "%s left out; see to the %s, or take %s out of the model.", names, one ? "carries" : "carry",
+                String.format(
+                        "%s %s nothing of the motion: no more of %s goes with any other channel than chance gives; %s noise alone, and "
+                                + "%s left out; see to the %s, or take %s out of the model.",
+                        names, one ? "carries" : "carry",
                         one ? "it" : "them", one ? "it is" : "they are", one ? "was" : "were", one ? "sensor" : "sensors",
                         one ? "it" : "them"));
     }

@@ -4,8 +4,8 @@ import wbv.body.Model;
 import wbv.recording.Quantity;
 
 /**
- * How large what is measured and modelled usually is: log-normal, so broad that it decides only between conventions of which all else is the
- * same, as a force in kN and a position in mm are.
+ * How large what is measured and modelled usually is: log-normal, so broad that it decides only between conventions of which all else is
+ * the same, as a force in kN and a position in mm are.
  *
  * @param usual     [SI unit]
  * @param deviation of the logarithm [1]

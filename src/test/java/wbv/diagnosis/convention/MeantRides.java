@@ -92,7 +92,8 @@ final class MeantRides {
         double[] given = errors(random, off, 3 * n);
         double lowest = 0.8;
         double apart = (highest - lowest) / 50;
-        double[] omega = IntStream.range(0, 51).mapToDouble(k -> 2 * Math.PI * (lowest + (k + 0.5 * random.nextDouble()) * apart)).toArray();
+        double[] omega = IntStream.range(0, 51).mapToDouble(k -> 2 * Math.PI * (lowest + (k + 0.5 * random.nextDouble()) * apart))
+                .toArray();
         double[] phase = random.doubles(51, 0, 2 * Math.PI).toArray();
         double size = 1.2 * Math.sqrt(2.0 / 51);
         DoubleUnaryOperator place = t -> sum(omega, phase, w -> -size / (w * w), t, 0);

@@ -3,10 +3,8 @@ package wbv.diagnosis.convention;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
@@ -20,7 +18,7 @@ import wbv.recording.Recording;
 import wbv.signal.ScalarProduct;
 
 /** A model beside a part of a recording, as it is read and as conventions have it, each with the numbers that suit it best. */
-final class Comparison {
+final class Agreement {
 
     /** One recording in so many has some convention amiss, assumed. */
     private static final double AMISS = 50;
@@ -38,7 +36,7 @@ final class Comparison {
     private final Case asRead;
     private final Optional<Weighed> given;
 
-    Comparison(Model model, Recording part) {
+    Agreement(Model model, Recording part) {
         this.model = model;
         this.part = part;
         this.stretch = new Stretch(present(model, part));
@@ -58,21 +56,17 @@ final class Comparison {
         Convention convention() {
             return of.convention().orElseThrow();
         }
-
-        /** Part of what the sensors measured that is left [1]. */
-        double left() {
-            return Arrays.stream(fit.left()).map(part -> Math.min(1, part)).average().orElse(1);
-        }
     }
 
     /**
      * What is held.
      *
-     * @param before part of what the sensors measured that is left as it is read [1]
+     * @param outputs what it touches: those whose names or values change, or all where what moves them does
+     * @param before part of what these measured that is left as it is read [1]
      * @param after  likewise as it is meant [1]
      * @param others what explains as much, of which no recording tells it apart
      */
-    record Held(Convention convention, double before, double after, List<Convention> others) {}
+    record Held(Convention convention, List<Channel> outputs, double before, double after, List<Convention> others) {}
 
     private static boolean[] present(Model model, Recording part) {
         boolean[] present = new boolean[part.length()];
@@ -127,9 +121,10 @@ final class Comparison {
             List<Weighed> fitted = Parallel.map(likeliest(all), this::weighed).stream().flatMap(Optional::stream)
                     .filter(after -> explains(before, after)).sorted(Comparator.comparingDouble(Weighed::cost)).toList();
             return fitted.stream().findFirst().filter(best -> before.cost() - best.cost() > sure(all.size()))
-                    .map(best -> new Held(best.convention(), before.left(), best.left(), fitted.stream().skip(1)
-                            .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds()))
-                            .map(Weighed::convention).toList()));
+                    .map(best -> new Held(best.convention(), touched(best.convention()), left(before, best.convention()),
+                            left(best, best.convention()), fitted.stream().skip(1)
+                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds()))
+                                    .map(Weighed::convention).toList()));
         });
     }
 
@@ -174,20 +169,21 @@ final class Comparison {
         return Math.sqrt(Arrays.stream(Measured.centred(Excitation.bridged(x))).map(value -> value * value).average().orElseThrow());
     }
 
-    /** Whether a convention leaves next to nothing of what it touches: of all outputs where that is what moves them. */
+    /** Outputs that a convention touches: all of them where it changes what moves them. */
+    private List<Channel> touched(Convention convention) {
+        boolean moves = convention.touched().isEmpty() || model.excitations().stream().anyMatch(convention.touched()::contains);
+        return model.outputs().stream().filter(output -> moves || convention.touched().contains(output)).toList();
+    }
+
+    /** Part of what these outputs measured that is left [1]. */
+    private double left(Weighed of, Convention convention) {
+        return touched(convention).stream().mapToDouble(output -> Math.min(1, of.fit().left()[model.outputs().indexOf(output)])).average()
+                .orElse(1);
+    }
+
+    /** Whether a convention leaves next to nothing of what it touches. */
     private boolean explains(Weighed before, Weighed after) {
-        Set<Channel> outputs = new HashSet<>(model.outputs());
-        if (!after.convention().touched().isEmpty() && model.excitations().stream().noneMatch(after.convention().touched()::contains)) {
-            outputs.retainAll(after.convention().touched());
-        }
-        double was = 0;
-        double is = 0;
-        for (int o = 0; o < model.outputs().size(); o++) {
-            if (outputs.contains(model.outputs().get(o))) {
-                was += Math.min(1, before.fit().left()[o]);
-                is += Math.min(1, after.fit().left()[o]);
-            }
-        }
-        return is < (1 - Refinement.NEARLY_ALL) * was;
+        Convention convention = after.convention();
+        return left(after, convention) < (1 - Refinement.NEARLY_ALL) * left(before, convention);
     }
 }
