@@ -119,11 +119,13 @@ final class Agreement {
     Optional<Held> held(List<Convention> all) {
         return given.filter(before -> asks(all.size())).flatMap(before -> {
             List<Weighed> fitted = Parallel.map(likeliest(all), this::weighed).stream().flatMap(Optional::stream)
-                    .filter(after -> explains(before, after)).sorted(Comparator.comparingDouble(Weighed::cost)).toList();
+                    .filter(after -> explains(before, after, after.convention())).sorted(Comparator.comparingDouble(Weighed::cost))
+                    .toList();
             return fitted.stream().findFirst().filter(best -> before.cost() - best.cost() > sure(all.size()))
                     .map(best -> new Held(best.convention(), touched(best.convention()), left(before, best.convention()),
                             left(best, best.convention()), fitted.stream().skip(1)
-                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds()))
+                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds())
+                                            && explains(before, other, best.convention()))
                                     .map(Weighed::convention).toList()));
         });
     }
@@ -181,9 +183,8 @@ final class Agreement {
                 .orElse(1);
     }
 
-    /** Whether a convention leaves next to nothing of what it touches. */
-    private boolean explains(Weighed before, Weighed after) {
-        Convention convention = after.convention();
-        return left(after, convention) < (1 - Refinement.NEARLY_ALL) * left(before, convention);
+    /** Whether a fit leaves next to nothing of what a convention touches. */
+    private boolean explains(Weighed before, Weighed after, Convention of) {
+        return left(after, of) < (1 - Refinement.NEARLY_ALL) * left(before, of);
     }
 }

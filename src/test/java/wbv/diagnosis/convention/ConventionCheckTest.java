@@ -91,9 +91,9 @@ class ConventionCheckTest {
         return ConventionCheck.of(ride.model(), ride.recording(), true, true);
     }
 
-    private record Named(String name, Ride ride) {}
+    record Named(String name, Ride ride) {}
 
-    private static Stream<Named> asRead(long seed) {
+    static Stream<Named> asRead(long seed) {
         List<Extra> laws = List.of(Extra.NONE, (r, v) -> r < -0.001 ? 8e5 * (r + 0.001) : 0, (r, v) -> r > 0.0005 ? 3e6 * (r - 0.0005) : 0,
                 (r, v) -> Math.abs(r) < 0.0008 ? -68e3 * r : -68e3 * 0.0008 * Math.signum(r), (r, v) -> 60 * Math.tanh(v / 0.002),
                 (r, v) -> 3e11 * r * r * r, (r, v) -> v > 0 ? 1500 * v : 0);
