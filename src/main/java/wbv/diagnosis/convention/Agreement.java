@@ -23,7 +23,7 @@ final class Agreement {
     /** One recording in so many has some convention amiss, assumed. */
     private static final double AMISS = 50;
     /** Conventions that are fitted after a look at all. */
-    private static final int FITTED = 6;
+    private static final int FITTED = 8;
     /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
     private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
 
@@ -133,7 +133,7 @@ final class Agreement {
     private List<Case> likeliest(List<Convention> all) {
         List<Case> cases = all.stream().map(this::read).toList();
         double[] costs = new double[cases.size()];
-        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse() + size(cases.get(i)));
+        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse(begun(cases.get(i))) + size(cases.get(i)));
         return IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(i -> costs[i])).limit(FITTED).map(cases::get)
                 .toList();
     }
@@ -146,7 +146,7 @@ final class Agreement {
     }
 
     private Optional<Weighed> weighed(Case of) {
-        return fit(of).best(starts(of)).map(fit -> new Weighed(of, fit, fit.cost() + size(of)));
+        return fit(of).best(begun(of)).map(fit -> new Weighed(of, fit, fit.cost() + size(of)));
     }
 
     private List<double[]> starts(Case of) {
@@ -154,6 +154,13 @@ final class Agreement {
         for (double[] shift : model.isRig() && !model.driven() ? SHIFTS : new double[0][]) {
             starts.add(of.runs().shifted(shift[0], shift[1]));
         }
+        return starts;
+    }
+
+    /** Where fits of conventions begin: there, and where what is right already has led the numbers. */
+    private List<double[]> begun(Case of) {
+        List<double[]> starts = starts(of);
+        given.ifPresent(fit -> starts.add(fit.fit().x()));
         return starts;
     }
 

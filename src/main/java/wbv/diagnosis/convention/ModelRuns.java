@@ -1,7 +1,10 @@
 package wbv.diagnosis.convention;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Model;
@@ -26,7 +29,8 @@ final class ModelRuns {
     /** Of the structure's values, those that are free. */
     private final int[] free;
     private final double[] deviation;
-    private Optional<Run> given = Optional.empty();
+    /** Where fits begin, by coordinates: several fits begin at each. */
+    private final Map<List<Double>, Optional<Run>> begun = new ConcurrentHashMap<>();
 
     ModelRuns(Model model, Excitation excitation, Stretch stretch) {
         this.assembly = model.assembly();
@@ -62,11 +66,17 @@ final class ModelRuns {
     }
 
     /** As it was given. */
-    synchronized Optional<Run> given() {
-        if (given.isEmpty()) {
-            given = at(new double[free.length]);
-        }
-        return given;
+    Optional<Run> given() {
+        return begun(new double[free.length]);
+    }
+
+    /**
+     * With other numbers, remembered; empty where it leaves all bounds then.
+     *
+     * @param x as for {@link #at}. Not modified.
+     */
+    Optional<Run> begun(double[] x) {
+        return begun.computeIfAbsent(Arrays.stream(x).boxed().toList(), any -> at(x));
     }
 
     /**

@@ -53,16 +53,17 @@ final class NumberFit {
         return IntStream.range(0, size.length).mapToDouble(o -> cost(o, 0)).sum();
     }
 
-    /** The fit of the model as it is linear about the numbers that were given: a look that takes no run. */
-    double glimpse() {
-        return runs.given().map(run -> {
-            double[] x = new double[runs.deviation().length];
+    /** The best fit of the model as it is linear about some starts: a look that takes no further run. */
+    double glimpse(List<double[]> starts) {
+        return starts.stream().mapToDouble(start -> runs.begun(start).map(run -> {
+            double[] d = new double[start.length];
             Products products = new Products(run);
             for (int step = 0; step < MOST_STEPS; step++) {
-                x = products.step(x, new double[x.length], 0);
+                d = products.step(d, start, 0);
             }
-            return cost(products.left(x), x);
-        }).orElse(Double.POSITIVE_INFINITY);
+            double[] way = d;
+            return cost(products.left(way), IntStream.range(0, start.length).mapToDouble(i -> start[i] + way[i]).toArray());
+        }).orElse(Double.POSITIVE_INFINITY)).min().orElse(Double.POSITIVE_INFINITY);
     }
 
     /** The best fit from several starts; empty where the model leaves all bounds from all of them. */
@@ -78,8 +79,7 @@ final class NumberFit {
     }
 
     private Optional<Fit> from(double[] start) {
-        boolean asGiven = Arrays.stream(start).allMatch(x -> x == 0);
-        Optional<ModelRuns.Run> begun = asGiven ? runs.given() : runs.at(start);
+        Optional<ModelRuns.Run> begun = runs.begun(start);
         if (begun.isEmpty()) {
             return Optional.empty();
         }
