@@ -130,9 +130,9 @@ public sealed interface Convention {
      * Numbers of the model in another unit than its keys say.
      *
      * @param what    which of them, in words
-     * @param stiffness by what it is taken more
-     * @param damping likewise
-     * @param mass    likewise, a moment of inertia too [1]
+     * @param stiffness by what factor it is taken more [1]
+     * @param damping by what factor [1]
+     * @param mass    by what factor, a moment of inertia too [1]
      * @param unit    what they are in
      */
     record InUnits(String what, double stiffness, double damping, double mass, String unit) implements Convention {

@@ -16,8 +16,8 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /**
- * People and benches in chains, simulated here by code that shares nothing with the models, and models of them whose numbers are off by what
- * users err by.
+ * People and benches in chains, simulated here by code that shares nothing with the models, and models of them whose numbers are off by
+ * what users err by.
  */
 final class MeantRides {
 
