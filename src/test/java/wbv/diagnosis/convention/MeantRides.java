@@ -54,7 +54,11 @@ final class MeantRides {
 
     private MeantRides() {}
 
-    /** A seat, a trunk and a head, shaken from 0.8 to 18 Hz for a minute. @param off standard deviation of the logarithm of what is given */
+    /**
+     * A seat, a trunk and a head, shaken from 0.8 to 18 Hz for a minute.
+     *
+     * @param off standard deviation of the logarithm of what is given
+     */
     static Ride person(long seed, double off, Extra seat) {
         return shaken(seed, off, Model.Subject.PERSON, 60, 60, 18, new String[] {"seat", "trunk", "head"}, new double[] {12, 48, 5},
                 new double[] {70e3, 60e3, 28e3}, new double[] {900, 1200, 160}, seat, "acc");
