@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import wbv.body.Model;
+import wbv.diagnosis.convention.ConventionCheck;
 import wbv.diagnosis.measured.AccelerationUnit;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
@@ -66,7 +67,15 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = asked(question);
+        Model model = question.asked();
+        // A person's accelerations in another unit are refused at once; how long a bench must be recorded goes by its numbers' units.
+        Optional<Evidence> admitted = model.isRig() ? Optional.empty() : Optional.of(asked(question, model));
+        return ConventionCheck.of(model, question.recording(), !question.unitsKnown(), question.isOfGivenNumbers())
+                .map(meant -> examine(question.meant(meant), progress).saying(meant.sentence()))
+                .orElseGet(() -> examine(question, admitted.orElseGet(() -> asked(question, model)), progress));
+    }
+
+    private static Diagnosed examine(Question question, Evidence evidence, BiConsumer<String, Double> progress) {
         return ForceSign.in(question, evidence).map(turned -> examine(turned.question(), progress).saying(turned.sentence()))
                 .orElseGet(() -> {
                     Diagnosed found = run(Inquiry.of(evidence, progress));
@@ -79,14 +88,14 @@ public final class Diagnoser {
      * where there is more, which is not searched.
      */
     public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
-        Inquiry asked = Inquiry.of(asked(question), progress);
+        Inquiry asked = Inquiry.of(asked(question, question.asked()), progress);
         Optional<Inquiry> quiet = asked.leaves(asked.base(), Refinement.SILENT) ? Optional.of(asked) : asked.knowingWhoSitsStill();
         return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given())).map(knowing -> Conclusion.of(knowing, List.of()))
                 .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
     }
 
-    private static Evidence asked(Question question) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom())
+    private static Evidence asked(Question question, Model model) {
+        Evidence evidence = new Evidence(model, question.recording(), question.noise(), question.provedFrom())
                 .with(question.library());
         if (!question.unitsKnown()) {
             AccelerationUnit.check(evidence.measured());

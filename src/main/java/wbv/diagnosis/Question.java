@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.body.Drive;
 import wbv.body.Model;
+import wbv.body.SensorFault;
+import wbv.diagnosis.convention.Meant;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
@@ -72,6 +74,17 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
     /** The same of another recording. */
     Question with(Recording other) {
         return new Question(model, other, simulation, noise, unitsKnown, provedFrom, library);
+    }
+
+    /** Whether the numbers of the model are its user's, and none that a simulation has been fitted by. */
+    boolean isOfGivenNumbers() {
+        return simulation.isEmpty() && model.assembly().outputs().stream().flatMap(output -> output.faults().stream())
+                .noneMatch(SensorFault.Beside.class::isInstance);
+    }
+
+    /** The same of a recording and a model as they are meant. */
+    Question meant(Meant meant) {
+        return new Question(meant.model().apply(model), meant.recording(), simulation, noise, unitsKnown, provedFrom, library);
     }
 
     /**

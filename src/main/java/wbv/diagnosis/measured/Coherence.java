@@ -47,7 +47,19 @@ public record Coherence(double share, double deviation) {
      * @param y a series as long, in its own unit. Not modified.
      */
     public static Coherence of(double rate, double[] x, double[] y, Weight weight) {
-        int length = LONGEST;
+        return of(rate, x, y, weight, LONGEST);
+    }
+
+    /**
+     * The same of other segments: of what rings for long, long ones tell.
+     *
+     * @param rate [Hz]
+     * @param x a series without gaps, in its own unit. Not modified.
+     * @param y a series as long, in its own unit. Not modified.
+     * @param longest samples of a segment at most, a power of two
+     */
+    public static Coherence of(double rate, double[] x, double[] y, Weight weight, int longest) {
+        int length = longest;
         while (length > SHORTEST && new Segmentation(rate, length, 0.5).independent(2L * x.length / length - 1) < FEWEST) {
             length /= 2;
         }

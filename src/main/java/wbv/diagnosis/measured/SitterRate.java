@@ -13,7 +13,7 @@ import wbv.signal.LostSamples;
  * Brings a fast recording of a sitter to about 60 Hz. What a sitter does lies below 22 Hz: faster samples show no more of it, only more
  * noise beside it, and take longer.
  */
-final class SitterRate {
+public final class SitterRate {
 
     private static final double USUAL = 60;
     /** What is hardly faster stays as it is. */
@@ -27,7 +27,7 @@ final class SitterRate {
     private SitterRate() {}
 
     /** The recording at the usual rate, lost samples NaN; itself where it is no faster. */
-    static Recording usual(Recording recording) {
+    public static Recording usual(Recording recording) {
         double rate = recording.clock().rate();
         if (rate <= FAST * USUAL) {
             return recording;
