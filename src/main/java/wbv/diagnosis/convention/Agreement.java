@@ -15,6 +15,7 @@ import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 import wbv.signal.ScalarProduct;
 
 /** A model beside a part of a recording, as it is read and as conventions have it, each with the numbers that suit it best. */
@@ -175,7 +176,7 @@ final class Agreement {
     }
 
     private static double rms(double[] x) {
-        return Math.sqrt(Arrays.stream(Measured.centred(Excitation.bridged(x))).map(value -> value * value).average().orElseThrow());
+        return Math.sqrt(Arrays.stream(Measured.centred(LostSamples.filled(x))).map(value -> value * value).average().orElseThrow());
     }
 
     /** Outputs that a convention touches: all of them where it changes what moves them. */

@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
-import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.measured.SitterRate;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * Asks for conventions: does the model agree with the recording far better if one channel, two names or a unit of the model are meant
@@ -119,7 +119,7 @@ public final class ConventionCheck {
         }
         double[] level = new double[n + 1];
         for (Channel output : model.outputs()) {
-            double[] x = Measured.centred(Excitation.bridged(recording.values(output)));
+            double[] x = Measured.centred(LostSamples.filled(recording.values(output)));
             double square = Arrays.stream(x).map(value -> value * value).sum();
             for (int i = 0; i < n; i++) {
                 level[i + 1] += x[i] * x[i] / square;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
+import wbv.signal.LostSamples;
 import wbv.signal.RealDft;
 
 /**
@@ -40,7 +41,7 @@ final class Stretch {
      * @param series at least as long as the window, gaps bridged. Not modified.
      */
     double[] spectrum(double[] series) {
-        double[] x = Measured.centred(Arrays.copyOf(Excitation.bridged(series), taper.length));
+        double[] x = Measured.centred(Arrays.copyOf(LostSamples.filled(series), taper.length));
         for (int i = 0; i < x.length; i++) {
             x[i] *= taper[i];
         }

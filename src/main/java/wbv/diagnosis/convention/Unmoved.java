@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Coherence;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * Channels that carry nothing of the motion: no more goes with them of any other channel, or of how large that is, than chance gives. Of
@@ -29,7 +29,7 @@ final class Unmoved {
     Unmoved(Recording recording, List<Channel> channels) {
         this.recording = recording;
         this.channels = channels;
-        this.series = channels.stream().map(channel -> Measured.centred(Excitation.bridged(recording.values(channel))))
+        this.series = channels.stream().map(channel -> Measured.centred(LostSamples.filled(recording.values(channel))))
                 .toArray(double[][]::new);
     }
 
