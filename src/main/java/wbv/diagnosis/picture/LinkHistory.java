@@ -4,16 +4,15 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.learn.LinkScale;
 
 /** Stiffness and damping of a link by blocks of time: least squares of everything that it carries on deflection and velocity. */
 final class LinkHistory {
 
-    /** Length of a block in periods of the link (assumed) [1], and how many there are at least. */
-    private static final double BLOCK = 20;
-    private static final int FEWEST = 6;
+    /** Length of a block [s], and how many a shorter record has at least (assumed). */
+    private static final double BLOCK = 4;
+    private static final int FEWEST = 10;
     /** Neighbouring samples of a band-limited signal are not independent: about two thirds of them are. */
     private static final double INDEPENDENT = 0.67;
 
@@ -38,7 +37,7 @@ final class LinkHistory {
         double[] r = latent.displacement();
         double[] v = latent.velocity();
         double[] force = latent.force();
-        int length = length(r, v);
+        int length = Math.max(1, Math.min(r.length / FEWEST, (int) Math.round(BLOCK * rate)));
         int blocks = r.length / length;
         double[] time = new double[blocks];
         double[][] value = new double[2][blocks];
@@ -55,14 +54,6 @@ final class LinkHistory {
         return List.of(portrait("Stiffness", scale.stiffness(), blocksOf, time, value[0], deviation[0], law[0],
                 Arrays.stream(law[1]).map(k -> scale.stiff() * k).toArray()),
                 portrait("Damping", scale.damping(), blocksOf, time, value[1], deviation[1], law[0], law[2]));
-    }
-
-    private int length(double[] r, double[] v) {
-        int[] known = IntStream.range(0, r.length).filter(latent::known).toArray();
-        double period = 2 * Math.PI * Math.sqrt(IntStream.of(known).mapToDouble(i -> r[i] * r[i]).sum()
-                / IntStream.of(known).mapToDouble(i -> v[i] * v[i]).sum());
-        int most = r.length / FEWEST;
-        return period > 0 ? (int) Math.max(1, Math.min(most, BLOCK * period * rate)) : most;
     }
 
     /** What a block has beside stiffness and damping, and the standard errors of both; NaN where too little of it is known. */

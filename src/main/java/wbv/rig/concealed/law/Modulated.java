@@ -13,7 +13,14 @@ import java.util.function.DoubleUnaryOperator;
  */
 public record Modulated(double k, double c, DoubleUnaryOperator factor, double stiff, double damped) implements LinkPhysics {
 
-    /** Of the stiffness itself. */
+    /**
+     * Where the factor is that of the stiffness itself.
+     *
+     * @param k of the spring [N/m]
+     * @param c of the dashpot [N s/m]
+     * @param factor at a time in s
+     * @param damped exponent with which it acts on the damping [1]
+     */
     public Modulated(double k, double c, DoubleUnaryOperator factor, double damped) {
         this(k, c, factor, 1, damped);
     }
