@@ -12,8 +12,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
- * Stiffness and damping that drift, without end or until they settle, or damping alone. Times go by the link's own period and by the record, see
- * {@link AbruptChange}.
+ * Stiffness and damping that drift, without end or until they settle, or damping alone. Times go by the link's own period and by the
+ * record, see {@link AbruptChange}.
  */
 record GradualChange() implements Mechanism {
 
