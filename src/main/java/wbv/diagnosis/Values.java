@@ -30,7 +30,7 @@ import wbv.signal.ScalarProduct;
 final class Values {
 
     /**
-     * How sharp a moment is [s]: what changes in a sitter takes a second or two, and the cost has a kink there, not a parabola.
+     * How sharp a moment is, in the unit of its number [1]: in that what changes has changed, and the cost has a kink there, no parabola.
      */
     private static final double MOMENT = 0.5;
     /** How much more one muscle's twitch may lag than another's that passes as much (assumed) [s]. */
@@ -95,7 +95,7 @@ final class Values {
         boolean[] moments = new boolean[b.length];
         boolean[] held = state.held();
         for (int i = 0; i < held.length; i++) {
-            moments[i] = !moment && state.candidate().knobs().get(i).name().endsWith("time_s");
+            moments[i] = !moment && state.candidate().knobs().get(i).isMoment();
             held[i] = b[i] == 0 && (held[i] || moments[i]);
         }
         double[] solved = DampedEquations.solve(curvature, b, held, 0);
@@ -193,7 +193,8 @@ final class Values {
         return switch (hypothesis.kind().doubt(key)) {
             case SHARE -> OptionalDouble.empty();
             case NONE -> OptionalDouble.of(0);
-            case MOMENT -> OptionalDouble.of(MOMENT);
+            case MOMENT -> hypothesis.numbers().stream().filter(number -> number.key().equals(key))
+                    .mapToDouble(number -> MOMENT * number.unit()).findFirst();
             case LEAD -> Estimand.of(hypothesis, state().candidate()).stream().filter(other -> other.key().equals("reflex_N_per_m"))
                     .mapToDouble(stretch -> TWITCH * Math.abs(stretch.value(stretch.u(state.x())))).findFirst();
             // The input's sensor has its own small error, against which this one is seen.

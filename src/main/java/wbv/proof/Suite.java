@@ -13,7 +13,7 @@ import wbv.rig.platform.Seeds;
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
  * sample; laws that are to be learned come after all others, shuffled among themselves, then benches, planar people and levels, and people
- * with a model of their joints last, likewise.
+ * with a model of their joints and benches that change in time last, likewise.
  *
  * @param questions numbered from 1
  */
@@ -76,6 +76,9 @@ public record Suite(List<Question> questions) {
                     "contact.bumpstop", "contact.backlash");
     /** Of each of the three, with exact values, and as many with wrong ones. */
     private static final int MIXED_NULLS = 4;
+    private static final List<String> RIG_CHANGING = List.of("drift.step", "drift.slow");
+    /** Of each of the two and of each strength. */
+    private static final int CHANGES = 4;
     private static final double FIELD = 0.3;
     private static final double EXACT = 0.3;
 
@@ -110,6 +113,7 @@ public record Suite(List<Question> questions) {
         questions.addAll(open.shuffled(questions.size()).questions);
         questions.addAll(mixed(seed).shuffled(questions.size()).questions);
         questions.addAll(jointed(seed).shuffled(questions.size()).questions);
+        questions.addAll(changing(seed).shuffled(questions.size()).questions);
         return new Suite(questions);
     }
 
@@ -144,6 +148,17 @@ public record Suite(List<Question> questions) {
         for (boolean exact : List.of(true, false)) {
             for (int i = 0; i < MIXED_NULLS; i++) {
                 draft.add(Group.JOINTED, List.of(), 1, Setting.JOINTED, exact);
+            }
+        }
+        return draft;
+    }
+
+    /** Benches that change in time, from a source of their own. */
+    private static Draft changing(long seed) {
+        Draft draft = new Draft(new Seeds(seed).of("changing").seed());
+        for (double strength : List.of(1.0, 0.3)) {
+            for (int i = 0; i < CHANGES; i++) {
+                RIG_CHANGING.forEach(word -> draft.add(Group.RIG, List.of(word), strength, Setting.BENCH, false));
             }
         }
         return draft;

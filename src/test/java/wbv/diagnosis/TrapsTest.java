@@ -205,6 +205,19 @@ class TrapsTest {
                 diagnosis.sentence());
     }
 
+    /**
+     * A slow drift promises more than a step to first order, and after as many steps of its fit stands far behind the best of sixty
+     * moments.
+     */
+    @Tag("slow")
+    @Test
+    void whatPromisesMostIsFittedToTheEnd() throws Exception {
+        Diagnosis diagnosis = diagnosed(
+                new ConcealedSpec("slow", List.of("drift.slow"), 0.1, Setting.ROTATION, false, -1668959073756272010L));
+        assertEquals(List.of("drift.slow at torso-head"),
+                diagnosis.missing().stream().map(named -> named.mechanism() + " at " + named.where()).toList(), diagnosis.sentence());
+    }
+
     /** A mass that swings on the torso pushes it about as evenly as a hand would. */
     @Tag("exam")
     @Test

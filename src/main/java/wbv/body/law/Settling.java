@@ -9,7 +9,7 @@ import wbv.body.number.Key;
  *
  * @param change       of the stiffness in the end, as a part of that at the start [1], &gt;= -0.97
  * @param settling τ [s], &gt; 0
- * @param dampingShare part of the change that the damping follows, 0 to 2; damping keeps at least 3 % of its value
+ * @param dampingShare part of the change that the damping follows [1]; damping keeps at least 3 % of its value
  */
 public record Settling(@Key("settled_change") double change, @Key("settling_s") double settling, @Key("damping_share") double dampingShare)
         implements Law {
@@ -18,7 +18,7 @@ public record Settling(@Key("settled_change") double change, @Key("settling_s") 
     public Settling {
         Check.within("settled change", "1", change, FLOOR, 1e3);
         Check.positive("settling time", "s", settling);
-        Check.within("share of the change in the damping", "1", dampingShare, 0, 2);
+        Check.finite("share of the change in the damping", "1", dampingShare);
     }
 
     @Override

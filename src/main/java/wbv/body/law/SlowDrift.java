@@ -9,7 +9,7 @@ import wbv.body.number.Key;
  *
  * @param linear [1/(100 s)]
  * @param quadratic [1/(100 s)²]
- * @param dampingShare part of g that the damping follows, 0 to 2
+ * @param dampingShare part of g that the damping follows [1]; it keeps at least 3 % of its value
  */
 public record SlowDrift(@Key("linear_per_100s") double linear, @Key("quadratic_per_100s2") double quadratic,
         @Key("damping_share") double dampingShare) implements Law {
@@ -18,7 +18,7 @@ public record SlowDrift(@Key("linear_per_100s") double linear, @Key("quadratic_p
     public SlowDrift {
         Check.finite("linear drift", "1/(100 s)", linear);
         Check.finite("quadratic drift", "1/(100 s)²", quadratic);
-        Check.within("share of the drift in the damping", "1", dampingShare, 0, 2);
+        Check.finite("share of the drift in the damping", "1", dampingShare);
     }
 
     @Override

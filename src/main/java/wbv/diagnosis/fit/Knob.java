@@ -49,6 +49,11 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return unit == 0 && (slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING);
     }
 
+    /** Whether it is when something happens, which slopes do not find. A time that something takes is found by factors. */
+    public boolean isMoment() {
+        return unit != 0 && name.endsWith("time_s");
+    }
+
     /**
      * Multiplicative.
      *

@@ -7,11 +7,26 @@ import java.util.List;
 import wbv.body.law.StepChange;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
-/** Stiffness and damping that change at a moment. Not looked for on a rig. */
+/**
+ * Stiffness and damping that change at a moment. Times go by the link's own period and by the record: what takes a sitter a second takes a
+ * bench at 500 Hz a hundredth of one.
+ */
 record AbruptChange() implements Mechanism {
 
-    /** At most so many moments at which a link may change are tried. */
-    private static final int MOMENTS = 60;
+    /** At most so many moments at which a link may change are tried, and at least so many. */
+    private static final int MOST_MOMENTS = 60;
+    private static final int LEAST_MOMENTS = 16;
+    /** Periods between two of them (assumed) [1]: what changes half as far away is found from either. */
+    private static final double APART = 12.5;
+    /** Periods before the first of them, which show what was before it (assumed) [1], and the most of the record that they may be. */
+    private static final double BEFORE = 25;
+    private static final double MOST_BEFORE = 0.125;
+    /** Part of that time that the moment found may be nearer to the beginning, and to the end. */
+    private static final double NEARER = 0.8;
+    private static final double NEAREST = 0.6;
+    /** Periods in which what changes has changed (assumed) [1], and the most of the record that they may be. */
+    private static final double CHANGING = 5;
+    private static final double MOST_CHANGING = 0.025;
     /** Part by which it changes, as it is looked at to first order. */
     private static final double SIZE = 0.1;
 
@@ -22,16 +37,18 @@ record AbruptChange() implements Mechanism {
 
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
-        if (scene.onRig()) {
-            return List.of();
-        }
+        double end = scene.end();
+        double before = Math.min(BEFORE * link.period(), MOST_BEFORE * end);
+        double apart = Math.min(Math.max(APART * link.period(), end / MOST_MOMENTS), end / LEAST_MOMENTS);
+        double changing = Math.min(CHANGING * link.period(), MOST_CHANGING * end);
         List<Start> moments = new ArrayList<>();
-        for (double t = 5; t < scene.end() - 4; t += Math.max(2.5, scene.end() / MOMENTS)) {
+        for (double t = before; t < end - NEARER * before; t += apart) {
             // A fit that is not led there starts from a link that all but goes.
             moments.add(new Start(new double[] {t, 0.1, 0.1}, new double[] {t, SIZE, SIZE}, List.of(new int[] {1, 2})));
         }
-        return List.of(Hypothesis.law(this, link, "", new StepChange(scene.end() / 2, 1.1, 1.1),
-                List.of(sum(1, 4, scene.end() - 3), sum(0.1, 0.05, 6).about(1), sum(0.1, 0.05, 6).about(1)), moments));
+        return List.of(Hypothesis.law(this, link, "", new StepChange(end / 2, 1.1, 1.1),
+                List.of(sum(changing, NEARER * before, end - NEAREST * before), sum(0.1, 0.05, 6).about(1), sum(0.1, 0.05, 6).about(1)),
+                moments));
     }
 
     @Override

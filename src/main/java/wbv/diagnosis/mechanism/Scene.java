@@ -104,6 +104,11 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
     public record Link(int index, String name, double own, double ownDamping, double stiffness, double damping, double deflection,
             double speed, double force, Map<Law.Side, DoubleUnaryOperator> reached, DoubleUnaryOperator pull) {
 
+        /** Of a sine of as much deflection and speed [s]: what is long for one link is a moment for another. */
+        double period() {
+            return 2 * Math.PI * deflection / speed;
+        }
+
         double reached(Law.Side side, double share) {
             return reached.get(side).applyAsDouble(share);
         }

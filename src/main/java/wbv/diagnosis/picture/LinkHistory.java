@@ -3,13 +3,16 @@ package wbv.diagnosis.picture;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.learn.LinkScale;
 
 /** Stiffness and damping of a link by blocks of time: least squares of everything that it carries on deflection and velocity. */
 final class LinkHistory {
 
+    /** Length of a block [s], and how many a shorter record has at least (assumed). */
     private static final double BLOCK = 4;
+    private static final int FEWEST = 10;
     /** Neighbouring samples of a band-limited signal are not independent: about two thirds of them are. */
     private static final double INDEPENDENT = 0.67;
 
@@ -34,22 +37,23 @@ final class LinkHistory {
         double[] r = latent.displacement();
         double[] v = latent.velocity();
         double[] force = latent.force();
-        int length = (int) Math.round(BLOCK * rate);
+        int length = Math.max(1, Math.min(r.length / FEWEST, (int) Math.round(BLOCK * rate)));
         int blocks = r.length / length;
         double[] time = new double[blocks];
         double[][] value = new double[2][blocks];
         double[][] deviation = new double[2][blocks];
         for (int b = 0; b < blocks; b++) {
-            time[b] = (b + 0.5) * BLOCK;
+            time[b] = (b + 0.5) * length / rate;
             double[] fitted = fitted(r, v, force, b * length, length);
             value[0][b] = scale.stiff() * (stiffness + fitted[0]);
             value[1][b] = damping + fitted[1];
             deviation[0][b] = scale.stiff() * fitted[2];
             deviation[1][b] = fitted[3];
         }
-        return List.of(portrait("Stiffness", scale.stiffness(), time, value[0], deviation[0], law[0],
+        String blocksOf = String.format(Locale.ROOT, "by blocks of %.2g s", length / rate);
+        return List.of(portrait("Stiffness", scale.stiffness(), blocksOf, time, value[0], deviation[0], law[0],
                 Arrays.stream(law[1]).map(k -> scale.stiff() * k).toArray()),
-                portrait("Damping", scale.damping(), time, value[1], deviation[1], law[0], law[2]));
+                portrait("Damping", scale.damping(), blocksOf, time, value[1], deviation[1], law[0], law[2]));
     }
 
     /** What a block has beside stiffness and damping, and the standard errors of both; NaN where too little of it is known. */
@@ -82,10 +86,10 @@ final class LinkHistory {
         return new double[] {k, c, Math.sqrt(scatter * vv / det), Math.sqrt(scatter * rr / det)};
     }
 
-    private Portrait portrait(String what, String unit, double[] time, double[] value, double[] deviation, double[] lawTime,
+    private Portrait portrait(String what, String unit, String blocks, double[] time, double[] value, double[] deviation, double[] lawTime,
             double[] law) {
         List<Portrait.Trail> trails = new ArrayList<>();
-        trails.add(new Portrait.Trail("by blocks of " + (int) BLOCK + " s", Portrait.Kind.MEAN, time, value, deviation));
+        trails.add(new Portrait.Trail(blocks, Portrait.Kind.MEAN, time, value, deviation));
         if (law.length > 0) {
             trails.add(Portrait.Trail.law("law found", lawTime, law));
         }

@@ -14,6 +14,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -32,6 +33,7 @@ public final class Refinement {
     private static final int LAWS = 10;
     private static final double LEAST_GAIN = 8;
     private static final double DISTORTED = 0.35;
+    /** Steps of a moment that are tried, in its own unit [1]. */
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     /** So few links are all looked at for every kind of law. */
     private static final int FEW = 3;
@@ -87,10 +89,28 @@ public final class Refinement {
             goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
+        finalists += promised(heat, finalists, chosen) ? 1 : 0;
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> finish(begun, base))).get(0)));
         all.addAll(Parallel.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
         return Trial.sorted(all);
+    }
+
+    /**
+     * Whether what promised most to first order is not among the finalists: a drift has farther to go than a step at the best of sixty
+     * moments, and after as many steps stands behind that.
+     *
+     * @param heat least cost first; on return it follows them there
+     * @param chosen that which promised most first
+     */
+    private static boolean promised(List<Trial> heat, int finalists, List<Screening.Score> chosen) {
+        for (int i = finalists; i < heat.size(); i++) {
+            if (heat.get(i).first().candidate().last().equals(chosen.get(0).hypothesis())) {
+                heat.add(finalists, heat.remove(i));
+                return true;
+            }
+        }
+        return false;
     }
 
     private List<Screening.Score> chosen(Fitter.State base, List<Screening.Score> scores, boolean second) {
@@ -254,14 +274,15 @@ public final class Refinement {
     private Fitter.State timed(Fitter.State fit, int rounds) {
         Fitter.State best = fit;
         for (int i = 0; i < best.candidate().knobs().size(); i++) {
-            if (!best.candidate().knobs().get(i).name().endsWith("time_s") || best.failed()) {
+            Knob knob = best.candidate().knobs().get(i);
+            if (!knob.isMoment() || best.failed()) {
                 continue;
             }
             for (int round = 0; round < rounds; round++) {
                 Fitter.State start = best;
                 for (double shift : SHIFTS) {
                     double[] x = start.x().clone();
-                    x[i] = start.candidate().knobs().get(i).coordinate(start.candidate().knobs().get(i).value(x[i]) + shift);
+                    x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + shift));
                     Fitter.State look = fitter.look(start.candidate(), x, start.frame());
                     best = look.cost() < best.cost() ? look : best;
                 }

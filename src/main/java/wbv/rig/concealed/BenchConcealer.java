@@ -113,9 +113,9 @@ final class BenchConcealer {
         double speed = UniformSeries.rms(calm.rate()[link]);
         return bench.isFree()
                 ? new Coordinate(0, bench.chain().damping()[0], speed / (2 * Math.PI * bench.first()), speed, UniformSeries.rms(drive),
-                        false)
+                        false, bench.seconds())
                 : new Coordinate(bench.chain().stiffness()[link], bench.chain().damping()[link], UniformSeries.rms(calm.extension()[link]),
-                        speed, UniformSeries.rms(calm.force()[link]), false);
+                        speed, UniformSeries.rms(calm.force()[link]), false, bench.seconds());
     }
 
     private Sized fault(String word, int body, double wanted, double[] rows, double[] left) {

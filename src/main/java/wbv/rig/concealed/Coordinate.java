@@ -9,8 +9,14 @@ package wbv.rig.concealed;
  * @param speed of that
  * @param force root mean square of what the spring and the dashpot carry, or of what pushes where nothing holds [N or N m]
  * @param turns whether it is an angle
+ * @param seconds of the recording
  */
-record Coordinate(double k, double c, double travel, double speed, double force, boolean turns) {
+record Coordinate(double k, double c, double travel, double speed, double force, boolean turns, double seconds) {
+
+    /** Of a sine of as much travel and speed [s]. */
+    double period() {
+        return 2 * Math.PI * travel / speed;
+    }
 
     /** The stiffness by which laws are sized: its own, or what would carry the force. */
     double scale() {

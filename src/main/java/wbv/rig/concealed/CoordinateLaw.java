@@ -2,10 +2,13 @@ package wbv.rig.concealed;
 
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.DoubleFunction;
+import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.rig.concealed.law.LinkPhysics;
 import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.Modulated;
 import wbv.rig.concealed.law.OpenLaws;
 import wbv.rig.concealed.law.ParallelForce;
 import wbv.rig.concealed.law.Sliders;
@@ -66,6 +69,15 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
             }
             case "contact.backlash" ->
                 named(word, 0.03, 1.5, "soft edge", a -> Map.of("gap_" + m, a * travel), a -> Springs.play(k, c, a * travel));
+            case "drift.step" -> {
+                double start = (0.15 + 0.45 * half) * at.seconds();
+                double ramp = Math.min(0.1 * at.seconds(), 2 * Math.pow(10, random.nextDouble()) * at.period());
+                yield changing(word, "ramp of " + Math.round(ramp / at.period()) + " periods", at, random,
+                        end -> Modulated.ramp(start, ramp, end), Map.of("time_s", start + ramp / 2));
+            }
+            case "drift.slow" -> random.nextBoolean()
+                    ? changing(word, "creep", at, random, end -> Modulated.creep((0.3 + half) * at.seconds(), end), Map.of())
+                    : changing(word, "half a cosine", at, random, end -> Modulated.ramp(0, at.seconds(), end), Map.of());
             case "open.damping.rebound" ->
                 open(at, 0.1, 8, "a damper that works in rebound alone", Term.of(Factor.of("speed", "positive part")),
                         a -> OpenLaws.rebound(a * at.drag()));
@@ -87,6 +99,28 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
     private static CoordinateLaw named(String word, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters,
             DoubleFunction<LinkPhysics> physics) {
         return new CoordinateLaw(word, least, most, form, parameters, List.of(), a -> h -> physics.apply(a));
+    }
+
+    /**
+     * A spring, a dashpot or both that change with time, to less or to more.
+     *
+     * @param course factor at a time in s, of the factor in the end
+     * @param further parameters that go by no size
+     */
+    private static CoordinateLaw changing(String word, String form, Coordinate at, RandomGenerator random,
+            DoubleFunction<DoubleUnaryOperator> course, Map<String, Double> further) {
+        boolean spring = random.nextDouble() < 2.0 / 3;
+        boolean dashpot = !spring || random.nextBoolean();
+        boolean less = random.nextDouble() < 0.7;
+        DoubleFunction<Double> factor = a -> less ? 1 - a : 1 / (1 - a);
+        DoubleFunction<Map<String, Double>> parameters = a -> {
+            Map<String, Double> out = new TreeMap<>(further);
+            out.put("stiffness_factor", spring ? factor.apply(a) : 1);
+            out.put("damping_factor", dashpot ? factor.apply(a) : 1);
+            return out;
+        };
+        return named(word, 0.05, spring ? 0.3 : 0.5, form + " of " + (!spring ? "damping" : dashpot ? "both" : "stiffness"), parameters,
+                a -> new Modulated(at.k(), at.c(), course.apply(factor.apply(a)), spring ? 1 : 0, dashpot ? 1 : 0));
     }
 
     /** Beside spring and dashpot. */

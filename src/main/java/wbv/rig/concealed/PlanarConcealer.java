@@ -228,7 +228,7 @@ final class PlanarConcealer {
         PlanarPerson.Joint of = person.joints().get(joint);
         return new Coordinate(of.stiffness()[component], of.damping()[component], UniformSeries.rms(calm.extension()[joint][component]),
                 UniformSeries.rms(calm.rate()[joint][component]), UniformSeries.rms(calm.force()[joint][component]),
-                component == PlanarPerson.PITCH);
+                component == PlanarPerson.PITCH, SECONDS);
     }
 
     private Sized fault(String word, String place, double wanted, RandomGenerator random) {

@@ -29,7 +29,8 @@ class MixedCasesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"BENCH, friction.coulomb, 2", "BENCH_LEVELS, contact.backlash, 3", "BENCH, sensor.ac-coupled, 11"})
+    @CsvSource({"BENCH, friction.coulomb, 2", "BENCH_LEVELS, contact.backlash, 3", "BENCH, sensor.ac-coupled, 11", "BENCH, drift.step, 5",
+        "BENCH, drift.slow, 6"})
     void theSameSpecGivesTheSameAndTheModelIsARigThatSaysNothing(Setting setting, String word, long seed) throws IOException {
         ConcealedCase one = made(setting, word, false, seed);
         ConcealedCase again = made(setting, word, false, seed);
@@ -145,7 +146,7 @@ class MixedCasesTest {
         double w = 2 * Math.PI * 40;
         double k = 3e5;
         double c = 120;
-        Coordinate at = new Coordinate(k, c, 1e-3, w * 1e-3, Math.hypot(k, c * w) * 1e-3, false);
+        Coordinate at = new Coordinate(k, c, 1e-3, w * 1e-3, Math.hypot(k, c * w) * 1e-3, false, 4);
         CoordinateLaw law = CoordinateLaw.of(word, at, new Seeds(1).source(word));
         double little = departure(law, law.least(), at, w);
         double much = departure(law, law.most(), at, w);
@@ -153,6 +154,25 @@ class MixedCasesTest {
         double still = law.physics().apply(law.most()).apply(1e-5).force(0, 0, 0, new double[1], 0);
         assertEquals(0, still, 0.07 * at.force());
         assertFalse(law.parameters().apply(law.most()).isEmpty());
+    }
+
+    /** As it was before the moment, spring and dashpot times the factors that the key tells after it; slowly, all along the recording. */
+    @ParameterizedTest
+    @CsvSource({"drift.step, 1", "drift.step, 2", "drift.step, 5", "drift.slow, 3", "drift.slow, 4"})
+    void whatChangesInTimeEndsByTheFactorsThatAreTold(String word, long seed) {
+        double w = 2 * Math.PI * 40;
+        Coordinate at = new Coordinate(3e5, 120, 1e-3, w * 1e-3, Math.hypot(3e5, 120 * w) * 1e-3, false, 4);
+        CoordinateLaw law = CoordinateLaw.of(word, at, new Seeds(seed).source(word));
+        LinkPhysics physics = law.physics().apply(law.most()).apply(1e-5);
+        double stiffness = law.parameters().apply(law.most()).get("stiffness_factor");
+        double damping = law.parameters().apply(law.most()).get("damping_factor");
+        assertTrue(stiffness != 1 || damping != 1, law.form());
+        assertEquals(at.k(), physics.force(0, 1, 0, new double[0], 0), 1e-9 * at.k());
+        assertEquals(at.c(), physics.force(0, 0, 1, new double[0], 0), 1e-9 * at.c());
+        double later = word.equals("drift.step") ? 4 : 1e3;
+        assertEquals(stiffness * at.k(), physics.force(later, 1, 0, new double[0], 0), 1e-9 * at.k());
+        assertEquals(damping * at.c(), physics.force(later, 0, 1, new double[0], 0), 1e-9 * at.c());
+        assertEquals(word.equals("drift.step"), law.parameters().apply(law.most()).containsKey("time_s"));
     }
 
     /** Root mean square of what it does beside spring and dashpot along a sine, over the usual force. */

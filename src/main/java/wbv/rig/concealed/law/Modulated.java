@@ -7,15 +7,32 @@ import java.util.function.DoubleUnaryOperator;
  *
  * @param k of the spring [N/m]
  * @param c of the dashpot [N s/m]
- * @param factor of the stiffness at a time in s
- * @param damped exponent with which it acts on the damping
+ * @param factor at a time in s
+ * @param stiff exponent with which it acts on the stiffness
+ * @param damped likewise on the damping
  */
-public record Modulated(double k, double c, DoubleUnaryOperator factor, double damped) implements LinkPhysics {
+public record Modulated(double k, double c, DoubleUnaryOperator factor, double stiff, double damped) implements LinkPhysics {
+
+    /**
+     * Where the factor is that of the stiffness itself.
+     *
+     * @param k of the spring [N/m]
+     * @param c of the dashpot [N s/m]
+     * @param factor at a time in s
+     * @param damped exponent with which it acts on the damping [1]
+     */
+    public Modulated(double k, double c, DoubleUnaryOperator factor, double damped) {
+        this(k, c, factor, 1, damped);
+    }
 
     @Override
     public double force(double t, double r, double v, double[] y, int at) {
         double f = factor.applyAsDouble(t);
-        return k * f * r + c * (damped == 0 ? 1 : damped == 1 ? f : Math.pow(f, damped)) * v;
+        return k * to(f, stiff) * r + c * to(f, damped) * v;
+    }
+
+    private static double to(double factor, double exponent) {
+        return exponent == 0 ? 1 : exponent == 1 ? factor : Math.pow(factor, exponent);
     }
 
     /**
