@@ -15,8 +15,6 @@ final class BodyPortraits {
 
     /** How many times as dense as the record makes them the lines of a spectrum are. */
     private static final int DENSER = 4;
-    /** How much of a force is shown over time [s]. */
-    private static final double SHOWN = 4;
 
     private final Evidence evidence;
     private final LatentForce latent;
@@ -49,7 +47,7 @@ final class BodyPortraits {
                 Portrait.Scale.of("Amplitude", "N"), lines,
                 "Amplitude of a steady tone at each frequency, from the whole record (" + spacing + ")."));
         int from = evidence.heldOut().start();
-        int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
+        int count = Clouds.shown(evidence);
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait.Trail> histories = new ArrayList<>();
         histories.add(Portrait.Trail.measured("force that the recording asks for", time,

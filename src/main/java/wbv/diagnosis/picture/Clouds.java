@@ -17,6 +17,11 @@ final class Clouds {
     private static final int BINS = 28;
     private static final int LEAST = 8;
 
+    /** How much of a force is shown over time [s]; its last second, or quarter, is known worse. */
+    private static final double SHOWN = 4;
+    private static final double LAST = 1;
+    private static final double QUARTER = 0.25;
+
     private final Evidence evidence;
     private final IntPredicate known;
 
@@ -76,6 +81,13 @@ final class Clouds {
 
     private static double[] scaled(double[] values, int[] at, double unit) {
         return IntStream.of(at).mapToDouble(i -> unit * values[i]).toArray();
+    }
+
+    /** Samples of the held-out part, from its start, that are shown over time. */
+    static int shown(Evidence evidence) {
+        double rate = evidence.recording().clock().rate();
+        double held = evidence.heldOut().length();
+        return (int) Math.round(Math.min(SHOWN * rate, held - Math.min(LAST * rate, QUARTER * held)));
     }
 
     /** What is said of a picture, with how far the sensors' noise scatters a sample of the force. */

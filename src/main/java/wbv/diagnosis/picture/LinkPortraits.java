@@ -19,8 +19,6 @@ final class LinkPortraits {
     private static final double[][] NO_CURVE = new double[3][0];
     /** Part of the force's range by which a law must change in the band for that to be drawn. */
     private static final double VISIBLE = 0.04;
-    /** How much of a force is shown over time [s]. */
-    private static final double SHOWN = 4;
 
     private final Evidence evidence;
     private final LatentForce latent;
@@ -86,7 +84,7 @@ final class LinkPortraits {
     List<Portrait> learned() {
         double[] law = latent.lawInBand();
         int from = evidence.heldOut().start();
-        int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
+        int count = Clouds.shown(evidence);
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait> out = new ArrayList<>();
         out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside, List.of(
