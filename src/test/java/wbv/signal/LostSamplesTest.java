@@ -48,8 +48,8 @@ class LostSamplesTest {
     }
 
     /**
-     * Closed form: of x_i = a x_(i-1) + e_i the likeliest value between two is a (x_(i-1) + x_(i+1)) / (1 + a²), missed by a variance of 1 /
-     * (1 + a²) of that of e.
+     * Closed form: of x_i = a x_(i-1) + e_i the likeliest value between two is a (x_(i-1) + x_(i+1)) / (1 + a²), missed by a variance of
+     * 1 / (1 + a²) of that of e.
      */
     @ParameterizedTest
     @ValueSource(doubles = {-0.8, 0.3, 0.95})

@@ -183,8 +183,8 @@ public final class Excitation {
     private record Moved(double[] acceleration, double[] track) {}
 
     /**
-     * What a sensor says of the base's motion, as long as this: lost samples filled, the mean of an acceleration removed. Along further axes,
-     * whose rates and angles other sensors read too, what integrates back to what was read: with a smooth return in the silence.
+     * What a sensor says of the base's motion, as long as this: lost samples filled, the mean of an acceleration removed. Along further
+     * axes, whose rates and angles other sensors read too, what integrates back to what was read: with a smooth return in the silence.
      */
     private Moved moved(Recording recording, Channel sensor, boolean first) {
         double[] moved = LostSamples.filled(recording.values(sensor));

@@ -7,14 +7,14 @@ import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Refinement;
 
 /**
- * A sentence of the grammar. What it leaves is told in mean squares of the whitened residual [1], all through the whitening of the sentence
+ * A sentence of the grammar. What it leaves is told in mean squares of the whitened residual, all through the whitening of the sentence
  * that leaves least, with what its numbers cost before the data were seen.
  *
  * @param fit     by free run
  * @param terms   that it adds to what was known
- * @param left    what it leaves
- * @param without what the model without a law leaves
- * @param least   what the best of those that it is compared with leaves
+ * @param left    mean square that it leaves [1]
+ * @param without mean square that the model without a law leaves [1]
+ * @param least   mean square that the best of those that it is compared with leaves [1]
  * @param words   among which its terms were chosen
  */
 public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, double without, double least, Vocabulary words) {
