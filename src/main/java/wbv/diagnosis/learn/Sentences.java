@@ -19,6 +19,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.PartialledOut;
 import wbv.diagnosis.search.Screening;
 
 /**
@@ -35,7 +36,7 @@ final class Sentences {
 
     private final Fitter.State state;
     private final Screening screening;
-    private final List<Screening.Rest> linear;
+    private final List<PartialledOut.Rest> linear;
     private final int link;
     private final Vocabulary words;
     private final List<Hypothesis> likely = new ArrayList<>();
@@ -51,8 +52,8 @@ final class Sentences {
         this.words = words;
         this.link = link;
         this.screening = new Screening(evidence, state, motion, modulators);
-        this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))),
-                screening.rest(screening.direction(link, motion.velocity(link))));
+        this.linear = List.of(screening.left().of(screening.direction(link, motion.displacement(link))),
+                screening.left().of(screening.direction(link, motion.velocity(link))));
     }
 
     /**
@@ -76,7 +77,7 @@ final class Sentences {
      *
      * @param columns what its amplitudes do
      */
-    private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) {}
+    private record Column(Hypothesis term, Hypothesis.Start start, List<PartialledOut.Rest> columns, double gain) {}
 
     /**
      * Proposals, most worth first, no two of the same kinds of terms.
@@ -130,11 +131,11 @@ final class Sentences {
     }
 
     private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
-        List<Screening.Rest> rests = start.columns().stream()
-                .map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
+        List<PartialledOut.Rest> rests = start.columns().stream()
+                .map(column -> screening.left().of(screening.direction(term, state.candidate().with(term),
                         only(start, column))))
                 .toList();
-        if (rests.stream().anyMatch(Screening.Rest::isOld)) {
+        if (rests.stream().anyMatch(PartialledOut.Rest::isOld)) {
             return Optional.empty();
         }
         return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
@@ -184,20 +185,20 @@ final class Sentences {
     }
 
     private double gain(List<Column> chosen) {
-        List<Screening.Rest> rests = rests(chosen);
-        return Screening.combined(rests, new double[rests.size()]);
+        List<PartialledOut.Rest> rests = rests(chosen);
+        return PartialledOut.combined(rests, new double[rests.size()]);
     }
 
-    private List<Screening.Rest> rests(List<Column> chosen) {
-        List<Screening.Rest> out = new ArrayList<>(linear);
+    private List<PartialledOut.Rest> rests(List<Column> chosen) {
+        List<PartialledOut.Rest> out = new ArrayList<>(linear);
         chosen.forEach(column -> out.addAll(column.columns()));
         return out;
     }
 
     private Proposal proposal(List<Column> chosen) {
-        List<Screening.Rest> rests = rests(chosen);
+        List<PartialledOut.Rest> rests = rests(chosen);
         double[] strength = new double[rests.size()];
-        double gain = Screening.combined(rests, strength);
+        double gain = PartialledOut.combined(rests, strength);
         List<double[]> values = new ArrayList<>();
         int next = linear.size();
         for (Column column : chosen) {

@@ -5,26 +5,19 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.ejml.data.DMatrixRMaj;
 import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.algebra.Columns;
-import wbv.diagnosis.algebra.DampedEquations;
-import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
-import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
-import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.signal.ScalarProduct;
 
 /**
  * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
@@ -35,25 +28,17 @@ import wbv.signal.ScalarProduct;
  */
 public final class Screening {
 
-    /** Part of a direction that the model cannot make itself, below which a score means nothing. */
-    private static final double LEAST_NEW = 1e-4;
-
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
-    private final Projection projection;
-    private final Columns slopes;
-    private final double[][] products;
     private final Motion motion;
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
     private final Optional<Simulator.Bends> bends;
     private final Lateness late;
-    private final SymmetricFactor factor;
-    private final double[] gradient;
-    private final double[] residual;
     private final ModulatorSeries modulators;
+    private final PartialledOut left;
 
     /**
      * What a hypothesis promises.
@@ -90,29 +75,7 @@ public final class Screening {
         this.bends = there.bends();
         Nuisances small = state.frame().nuisances();
         this.late = small.delays().lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
-        Normal normal = new Normal(state);
-        this.gradient = normal.gradient();
-        this.residual = state.residual();
-        this.slopes = new Columns(state.slopes());
-        this.projection = normal.projection();
-        this.products = normal.products();
-        int n = gradient.length;
-        DMatrixRMaj curvature = new DMatrixRMaj(n, n);
-        double largest = java.util.stream.IntStream.range(0, n).mapToDouble(i -> normal.curvature()[i][i]).max().orElse(0);
-        for (int i = 0; i < n; i++) {
-            for (int j = 0; j < n; j++) {
-                curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1) + (i == j ? 1e-14 * largest : 0));
-            }
-        }
-        // Where parameters can hardly be told apart a ridge decides between them; what they span together stays the same.
-        Optional<SymmetricFactor> found = SymmetricFactor.of(curvature);
-        for (double ridge = 1e-8; found.isEmpty(); ridge *= 10) {
-            for (int i = 0; i < n; i++) {
-                curvature.add(i, i, ridge * Math.max(curvature.get(i, i), 1e-300));
-            }
-            found = SymmetricFactor.of(curvature);
-        }
-        factor = found.get();
+        this.left = new PartialledOut(state);
     }
 
     /** The scores of all hypotheses, greatest first. */
@@ -224,76 +187,14 @@ public final class Screening {
         return seen(linear.answer(link, force));
     }
 
-    /**
-     * What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual.
-     *
-     * @param direction whitened, as long as the residual. Not copied, not modified
-     */
-    public Rest rest(double[] direction) {
-        double[] own = projection.products(direction);
-        double[] follow = projection.errors(own);
-        double[] cross = slopes.products(direction);
-        for (int p = 0; p < cross.length; p++) {
-            cross[p] -= ScalarProduct.of(follow, products[p]);
-        }
-        double[] held = factor.solve(cross);
-        return new Rest(direction, own, follow, cross, held, ScalarProduct.of(direction, residual) - ScalarProduct.of(held, gradient));
-    }
-
-    /**
-     * A direction with its products with all that may follow.
-     *
-     * @param direction whitened, as long as the residual
-     * @param own       its products with the sensors' errors [1], one an error
-     * @param follow    how the errors follow it [1], one an error
-     * @param cross     its products with the slopes, the errors following [1], one a knob
-     * @param held      how the knobs follow it [1], one a knob
-     * @param gradient  its product with what is left of the residual [1]
-     */
-    public record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
-
-        double product(Rest other) {
-            return ScalarProduct.of(direction, other.direction) - ScalarProduct.of(follow, other.own) - ScalarProduct.of(cross, other.held);
-        }
-
-        double square() {
-            return product(this);
-        }
-
-        /** Whether the model can nearly make it itself. */
-        public boolean isOld() {
-            return !(square() > LEAST_NEW * ScalarProduct.of(direction, direction));
-        }
+    /** What may follow is partialled out of directions by this. */
+    public PartialledOut left() {
+        return left;
     }
 
     /** Gain of the best combination of directions, whose strengths are filled in. */
     private double project(List<double[]> directions, double[] strength) {
-        List<Rest> rests = directions.stream().map(this::rest).toList();
-        return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
-    }
-
-    /**
-     * Gain [1] of the best combination of directions that are known.
-     *
-     * @param strength by direction [1]. Modified.
-     */
-    public static double combined(List<Rest> rests, double[] strength) {
-        int m = rests.size();
-        double[][] a = new double[m][m];
-        double[] g = new double[m];
-        for (int i = 0; i < m; i++) {
-            for (int j = 0; j <= i; j++) {
-                a[i][j] = rests.get(i).product(rests.get(j));
-                a[j][i] = a[i][j];
-            }
-            g[i] = rests.get(i).gradient();
-        }
-        double[] s = DampedEquations.solve(a, g);
-        double gain = 0;
-        for (int i = 0; i < m; i++) {
-            strength[i] = -s[i];
-            gain += s[i] * g[i];
-        }
-        return Double.isFinite(gain) ? gain : 0;
+        List<PartialledOut.Rest> rests = directions.stream().map(left::of).toList();
+        return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? 0 : PartialledOut.combined(rests, strength);
     }
 }
