@@ -135,7 +135,8 @@ public final class Search {
         List<Screening.Score> scores = new Screening(evidence, base, motion)
                 .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = refinement.refit(base, scores, where).stream().filter(fit -> !fit.failed()).toList();
+        List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where).stream().filter(fit -> !fit.failed())
+                .toList();
         // A rival far behind does not come up by polishing.
         double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();

@@ -1,0 +1,142 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/** Hypotheses race for the best fit, in heats: a few steps for all that the screening ranked first, the whole way for those that lead then. */
+final class Heats {
+
+    private static final int FINALISTS = 6;
+    private static final double HOPELESS = 10;
+    private static final int RIVALS = 2;
+    private static final double CLEAN = 1.1;
+    private static final Comparator<Trial> LEAST = Comparator.comparingDouble(Trial::cost);
+    private static final double PROMISING = 0.3;
+    private static final int GOING_ON = 16;
+    private static final double[] GAINS = {0, 0.8, -0.8};
+
+    private final Evidence evidence;
+    private final Refinement refinement;
+    private final Fitter fitter;
+
+    Heats(Evidence evidence, Refinement refinement, Fitter fitter) {
+        this.evidence = evidence;
+        this.refinement = refinement;
+        this.fitter = fitter;
+    }
+
+    /**
+     * Refits, in two heats: a few steps for all, the whole way for those that lead then. The heats make the answer independent of how many
+     * hypotheses run at a time.
+     *
+     * @param base   the fit on top of which the hypotheses stand
+     * @param scores greatest first
+     * @param where what is known of where the mismatch enters
+     * @return fits, least cost first, all in the same whitening
+     */
+    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whereabouts where) {
+        // Where the first mechanism leaves much, the second is as large as any first.
+        boolean second = !base.candidate().added().isEmpty() && base.reduced() < Refinement.MUCH;
+        List<Screening.Score> chosen = new Shortlist(evidence).of(base, scores, second);
+        Function<Hypothesis, List<double[]>> from = from(base, where);
+        Trial.Ground whole = Trial.Ground.of(fitter, base);
+        Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
+        boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * Refinement.excess(base.reduced());
+        if (promising) {
+            goOn(base, heat);
+        }
+        if (!promising || !clean(base, heat.get(0))) {
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
+            goOn(base, heat);
+        }
+        int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
+        finalists += promised(heat, finalists, chosen) ? 1 : 0;
+        List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
+                trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
+        all.addAll(Parallel.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
+        return Trial.sorted(all);
+    }
+
+    /**
+     * Whether what promised most to first order is not among the finalists: a drift has farther to go than a step at the best of sixty
+     * moments, and after as many steps stands behind that.
+     *
+     * @param heat least cost first; on return it follows them there
+     * @param chosen that which promised most first
+     */
+    private static boolean promised(List<Trial> heat, int finalists, List<Screening.Score> chosen) {
+        for (int i = finalists; i < heat.size(); i++) {
+            if (heat.get(i).first().candidate().last().equals(chosen.get(0).hypothesis())) {
+                heat.add(finalists, heat.remove(i));
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Numbers of the model to start from. */
+    private static Function<Hypothesis, List<double[]>> from(Fitter.State base, Whereabouts where) {
+        boolean bent = Refinement.bent(base);
+        return h -> bent ? List.of(base.x(), where.unbent(h).orElseGet(base.candidate()::start)) : List.of(base.x());
+    }
+
+    /**
+     * How many starts of a hypothesis are begun. Between two delays at which a force agrees with what is missing lies one at which it
+     * opposes it, which no step passes; nor does one along a driven link pass from friction of one kind to another.
+     */
+    private int begun(Hypothesis hypothesis) {
+        return hypothesis.isLate() || evidence.model().driven() ? Integer.MAX_VALUE : 1;
+    }
+
+    /** The first steps of each, least cost first. */
+    private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
+            Function<Hypothesis, List<double[]>> from) {
+        double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
+        List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
+            Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
+            return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()));
+        }));
+        out.sort(LEAST);
+        return out;
+    }
+
+    /**
+     * More steps of those that may win yet.
+     *
+     * @param heat in any order; least cost first on return
+     */
+    private static void goOn(Fitter.State base, List<Trial> heat) {
+        if (heat.isEmpty()) {
+            return;
+        }
+        heat.sort(LEAST);
+        // No leader yet: look farther down.
+        int most = heat.get(0).excess() < PROMISING * Refinement.excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;
+        List<Trial> near = heat.subList(0, near(heat, most));
+        List<Trial> further = Parallel.map(near, Trial::onward);
+        for (int i = 0; i < further.size(); i++) {
+            heat.set(i, further.get(i));
+        }
+        heat.sort(LEAST);
+    }
+
+    /** How many of the first in a heat are near enough to the leader to win yet: the rest are left where they stand. */
+    private static int near(List<Trial> heat, int most) {
+        double reach = heat.isEmpty() ? 0 : HOPELESS * heat.get(0).excess();
+        int near = (int) heat.stream().takeWhile(trial -> trial.excess() <= reach).count();
+        return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
+    }
+
+    /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */
+    private static boolean clean(Fitter.State base, Trial linear) {
+        return base.reduced() > Refinement.PLAIN && linear.first().reduced() < CLEAN;
+    }
+}
