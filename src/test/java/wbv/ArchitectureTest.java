@@ -82,6 +82,9 @@ class ArchitectureTest {
     /** As in src/build/formatter.xml. */
     private static final int MOST_COLUMNS = 140;
 
+    /** Lines of a class of the diagnosis. */
+    private static final int MOST_LINES = 250;
+
     private static final JavaClasses MAIN = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
 
@@ -188,6 +191,17 @@ class ArchitectureTest {
         }
         sizes.forEach((name, size) -> assertTrue(size <= MOST_FILES, name + " has " + size + " files, more than " + MOST_FILES
                 + ": split it by what its classes are about"));
+    }
+
+    /** What decides is read class by class. */
+    @Test
+    void noClassOfTheDiagnosisIsLongerThanAFewScreens() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java/wbv/diagnosis"))) {
+            for (Path file : files.filter(each -> each.toString().endsWith(".java")).toList()) {
+                int lines = Files.readAllLines(file).size();
+                assertTrue(lines <= MOST_LINES, file + " has " + lines + " lines, more than " + MOST_LINES + ": split it by what it says");
+            }
+        }
     }
 
     /** What the formatter cannot wrap: comments, literals, text blocks. */

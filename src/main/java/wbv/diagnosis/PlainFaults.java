@@ -14,7 +14,7 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.measured.Rounding;
-import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.SensorBias;
 import wbv.diagnosis.mechanism.SensorDropouts;
 import wbv.diagnosis.mechanism.SensorQuantised;
@@ -107,7 +107,7 @@ final class PlainFaults {
 
     private static boolean clips(Fitter.State fit, int output) {
         return fit.candidate().added().stream().flatMap(h -> h.additions().stream())
-                .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == output
+                .anyMatch(a -> a instanceof Addition.AtSensor at && at.output() == output
                         && at.fault() instanceof SensorFault.Clipping);
     }
 

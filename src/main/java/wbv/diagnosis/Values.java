@@ -17,6 +17,7 @@ import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
 import wbv.signal.ScalarProduct;
@@ -169,7 +170,7 @@ final class Values {
      * @param white variance of u as the curvature has it
      */
     private double form(Hypothesis hypothesis, double[] slope, double white) {
-        if (!(hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
+        if (!(hypothesis.additions().get(0) instanceof Addition.InLink in)) {
             return 0;
         }
         double[] effect = new double[state.raw().length];

@@ -32,6 +32,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Remainder;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.search.MassScale;
@@ -71,7 +72,7 @@ class IntervalsTest {
     /** A law, as a hypothesis with wide bounds. @param start values from which to search */
     private static Hypothesis hypothesis(Law law, List<Hypothesis.Number> bounds, double... start) {
         return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "",
-                List.of(new Hypothesis.Addition.InLink(LINK, law)),
+                List.of(new Addition.InLink(LINK, law)),
                 Hypothesis.Number.named(law.getClass(), bounds), List.of(Hypothesis.Start.fixed(start)));
     }
 

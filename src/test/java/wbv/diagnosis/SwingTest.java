@@ -19,6 +19,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
@@ -74,7 +75,7 @@ class SwingTest {
 
     private static Drive drive(List<Hypothesis> all, String name) {
         Optional<Hypothesis> found = all.stream().filter(hypothesis -> hypothesis.name().equals(name)).findFirst();
-        return ((Hypothesis.Addition.Driven) found.orElseThrow().additions().get(0)).drive();
+        return ((Addition.Driven) found.orElseThrow().additions().get(0)).drive();
     }
 
     @Tag("slow")

@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Addition;
 
 /**
  * A force that acts on one body all the time and has nothing to do with the ride: breath, voice, muscles, hands. No model predicts it,
@@ -133,7 +133,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     /** Whether a law that is not linear was added in a link. */
     private static boolean holdsLaw(Fitter.State state, int link) {
         return state.candidate().added().stream().flatMap(h -> h.additions().stream())
-                .anyMatch(a -> a instanceof Hypothesis.Addition.InLink in && in.link() == link && !in.law().isLinear());
+                .anyMatch(a -> a instanceof Addition.InLink in && in.link() == link && !in.law().isLinear());
     }
 
     private static boolean onBase(Assembly assembly, int body) {

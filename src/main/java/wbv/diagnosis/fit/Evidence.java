@@ -13,7 +13,7 @@ import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
-import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -223,7 +223,7 @@ public final class Evidence {
 
     private Optional<Evidence> shaken() {
         int n = (int) Math.round(BRIEF * recording().clock().rate());
-        if (onRig() || isLate() || Hypothesis.byTheClock(model().assembly()) || fit().length() < WORTH_A_PART * n) {
+        if (onRig() || isLate() || Addition.byTheClock(model().assembly()) || fit().length() < WORTH_A_PART * n) {
             return Optional.empty();
         }
         double[] ride = excitation.series(excitation.baseSpectrum());

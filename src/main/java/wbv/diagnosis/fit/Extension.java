@@ -8,7 +8,7 @@ import wbv.body.LawAt;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
 import wbv.body.number.Numbers;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /** A template and its knobs after an addition. */

@@ -7,6 +7,7 @@ import wbv.body.Drive;
 import wbv.diagnosis.algebra.BoundedLeastSquares;
 import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.signal.ScalarProduct;
 
@@ -119,7 +120,7 @@ public final class Nuisances {
     public boolean[] off(Candidate candidate) {
         boolean[] out = new boolean[count()];
         for (Hypothesis hypothesis : candidate.added()) {
-            for (Hypothesis.Addition addition : hypothesis.additions()) {
+            for (Addition addition : hypothesis.additions()) {
                 for (int i = 0; i < out.length; i++) {
                     out[i] |= says(addition, errors.get(i));
                 }
@@ -129,9 +130,9 @@ public final class Nuisances {
     }
 
     /** Whether an addition is a large error of the same kind, a late input among them. */
-    private static boolean says(Hypothesis.Addition addition, SmallError error) {
-        return addition instanceof Hypothesis.Addition.Driven driven && driven.drive() instanceof Drive.Late && error.isInput()
-                || addition instanceof Hypothesis.Addition.OfSensor at && at.output() == error.owner() && error.isLike(at.fault());
+    private static boolean says(Addition addition, SmallError error) {
+        return addition instanceof Addition.Driven driven && driven.drive() instanceof Drive.Late && error.isInput()
+                || addition instanceof Addition.OfSensor at && at.output() == error.owner() && error.isLike(at.fault());
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Scene;
 
@@ -67,18 +68,18 @@ public record Place(Kind kind, int index) {
 
     /** Where a hypothesis acts. */
     public static Place of(Hypothesis hypothesis) {
-        Hypothesis.Addition first = hypothesis.additions().get(0);
-        if (first instanceof Hypothesis.Addition.InLink in) {
+        Addition first = hypothesis.additions().get(0);
+        if (first instanceof Addition.InLink in) {
             return new Place(Kind.LINK, in.link());
         }
-        if (first instanceof Hypothesis.Addition.Driven driven) {
+        if (first instanceof Addition.Driven driven) {
             return new Place(driven.drive().actsOnBody() ? Kind.BODY : Kind.LINK, driven.place());
         }
-        if (first instanceof Hypothesis.Addition.AtSensor at) {
-            return hypothesis.additions().size() > 1 && hypothesis.additions().get(1) instanceof Hypothesis.Addition.Alike alike
+        if (first instanceof Addition.AtSensor at) {
+            return hypothesis.additions().size() > 1 && hypothesis.additions().get(1) instanceof Addition.Alike alike
                     ? new Place(Kind.DEVICE, alike.device()) : new Place(Kind.SENSOR, at.output());
         }
-        return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
+        return new Place(Kind.BODY, ((Addition.Hidden) first).body());
     }
 
     /**

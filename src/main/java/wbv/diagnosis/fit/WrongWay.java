@@ -6,7 +6,7 @@ import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.measured.SmallError;
-import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Addition;
 
 /**
  * What a model that stands for a simulation gets wrong of the way from a link's force to the outputs, where a law makes that another than
@@ -39,7 +39,7 @@ final class WrongWay {
     static ErrorShapes of(Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         int[] links = candidate.added().stream().flatMap(hypothesis -> hypothesis.additions().stream())
-                .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link())
+                .filter(Addition.InLink.class::isInstance).mapToInt(addition -> ((Addition.InLink) addition).link())
                 .distinct().toArray();
         if (!candidate.freeWays() || links.length == 0) {
             return all;

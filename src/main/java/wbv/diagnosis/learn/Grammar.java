@@ -10,20 +10,14 @@ import wbv.body.Assembly;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;
 import wbv.body.law.LearnedCourse;
-import wbv.body.law.LearnedKnee;
-import wbv.body.law.LearnedLimited;
-import wbv.body.law.LearnedMemory;
-import wbv.body.law.LearnedTable;
 import wbv.body.law.LearnedTerm;
-import wbv.body.law.LearnedWave;
 import wbv.body.number.Modulator;
 import wbv.body.number.Shape;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Motion;
-import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.mechanism.LearnedForce;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
@@ -47,42 +41,19 @@ final class Grammar {
     private static final List<Shape> REMEMBERED = shapes("r", "v", "|r|r", "r^3", "|v|v", "v^3", "sign(v)", "|r| v", "r |v|");
     private static final List<Shape> LEVELS = shapes("|r|", "r^2", "|v|", "v^2");
     private static final List<Shape> BY_LEVEL = shapes("r", "v", "|v|v", "sign(v)");
-    /** A memory that is shorter is none at 60 samples a second [s]. */
-    private static final double SHORTEST = 0.01;
     private static final double[] MOMENTS = {0.02, 0.06, 0.2};
     private static final double[] SECONDS = {0.7, 2.5, 8};
-    /** Knees over the root mean square. */
-    private static final double[] KNEES = {0.4, 1, 1.8};
-    /** How damping thins with speed: to a limit, and past a crest; bounds from a square root to a force that is gone at twice its crest. */
-    private static final double[] THINNING = {1, 2};
-    private static final double LEAST_THINNING = 0.3;
-    private static final double MOST_THINNING = 6;
     /** Memories of the ride [s]. */
     private static final double[] RIDES = {0.7, 2.5, 8};
     /** What settles, in parts of the record. */
     private static final double[] SETTLING = {0.1, 0.3};
     /** Moments at which a step is tried, spread over the record. */
     private static final int STEPS = 20;
-    /** How fast a sitter's links move, by which times that are usual for them are scaled to others [rad/s]. */
-    private static final double USUAL = 2 * Math.PI * 5;
-    /** Breath: 9 to 27 a minute [Hz] (assumed). */
-    private static final double SLOWEST = 0.15;
-    private static final double FASTEST = 0.45;
-    private static final int MOST_WAVES = 48;
-    /** Forces in a table. */
-    private static final int TABLED = 6;
 
     private final Evidence evidence;
-    private final Assembly fitted;
     private final ModulatorSeries modulators;
     private final int link;
-    private final String where;
-    private final double r;
-    private final double v;
-    private final double force;
-    private final double seconds;
-    /** By how much slower than a sitter it moves. */
-    private final double pace;
+    private final Terms terms;
 
     /**
      * @param fitted the linear model beside which the law acts
@@ -91,28 +62,9 @@ final class Grammar {
      */
     Grammar(Evidence evidence, Assembly fitted, Motion motion, ModulatorSeries modulators, int link) {
         this.evidence = evidence;
-        this.fitted = fitted;
         this.modulators = modulators;
         this.link = link;
-        this.where = evidence.model().links().get(link).name();
-        double step = evidence.excitation().fineStep();
-        Window window = evidence.fit();
-        seconds = (window.start() + window.length()) / evidence.recording().clock().rate();
-        int end = Math.min(motion.displacement(link).length, (int) (seconds / step));
-        r = Math.max(Motion.rms(motion.displacement(link), end), 1e-12);
-        v = Math.max(Motion.rms(motion.velocity(link), end), 1e-12);
-        pace = evidence.onRig() ? USUAL * r / v : 1;
-        force = force(Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v));
-    }
-
-    /**
-     * How large a force in the link may be [N]: what its spring and dashpot carry; where it has none, what moves the masses, or what was
-     * measured.
-     */
-    private double force(double carried) {
-        double moving = Arrays.stream(fitted.structure().mass()).sum() * v * v / r;
-        double[] measured = evidence.measured(0);
-        return carried > 0 ? carried : moving > 0 ? moving : Math.max(Motion.rms(measured, measured.length), 1e-12);
+        this.terms = new Terms(evidence, fitted, motion, link);
     }
 
     private static List<Shape> shapes(String... texts) {
@@ -126,26 +78,26 @@ final class Grammar {
      */
     List<Hypothesis> terms(List<Learned> known) {
         List<Hypothesis> all = new ArrayList<>();
-        ALONE.forEach(shape -> all.add(term(shape, Modulator.NONE, 1)));
+        ALONE.forEach(shape -> all.add(terms.term(shape, Modulator.NONE, 1)));
         for (Shape of : List.of(Shape.DEFLECTION, Shape.SPEED)) {
             for (Law.Side side : Law.Side.values()) {
-                all.add(knee(of, side));
+                all.add(terms.knee(of, side));
             }
         }
-        REMEMBERED.forEach(of -> all.add(memory(of, Shape.ONE, scaled(MOMENTS, pace))));
-        LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(memory(of, shape, scaled(SECONDS, pace)))));
-        all.add(inertance());
-        all.add(thinning());
+        REMEMBERED.forEach(of -> all.add(terms.memory(of, Shape.ONE, scaled(MOMENTS, terms.pace()))));
+        LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(terms.memory(of, shape, scaled(SECONDS, terms.pace())))));
+        all.add(terms.inertance());
+        all.add(terms.thinning());
         for (Modulator modulator : modulators()) {
             double size = size(modulator);
-            MODULATED.forEach(shape -> all.add(term(shape, modulator, size)));
+            MODULATED.forEach(shape -> all.add(terms.term(shape, modulator, size)));
         }
         CHANGING.forEach(shape -> {
-            all.add(course(shape, LearnedCourse.Course.STEP, steps()));
-            all.add(course(shape, LearnedCourse.Course.SETTLING, scaled(SETTLING, seconds)));
-            all.add(course(shape, LearnedCourse.Course.GROWING, new double[] {seconds}));
+            all.add(terms.course(shape, LearnedCourse.Course.STEP, steps()));
+            all.add(terms.course(shape, LearnedCourse.Course.SETTLING, scaled(SETTLING, terms.seconds())));
+            all.add(terms.course(shape, LearnedCourse.Course.GROWING, new double[] {terms.seconds()}));
             if (!evidence.onRig()) {   // benches do not breathe
-                all.add(wave(shape));
+                all.add(terms.wave(shape));
             }
         });
         return all.stream().filter(term -> known.stream().noneMatch(law -> alike(term, law))).toList();
@@ -153,104 +105,18 @@ final class Grammar {
 
     /** What stands for a law that has no formula. */
     List<Hypothesis> tables() {
-        return List.of(table(Shape.DEFLECTION), table(Shape.SPEED));
+        return List.of(terms.table(Shape.DEFLECTION), terms.table(Shape.SPEED));
     }
 
     /** Whether a hypothesis would only be another coefficient of a term. */
     private static boolean alike(Hypothesis hypothesis, Learned law) {
         return hypothesis.additions().stream()
-                .anyMatch(addition -> addition instanceof Hypothesis.Addition.InLink in && in.law() instanceof Learned own
+                .anyMatch(addition -> addition instanceof Addition.InLink in && in.law() instanceof Learned own
                         && own.getClass() == law.getClass() && own.kind().equals(law.kind()) && own.modulator().equals(law.modulator()));
     }
 
     private static double[] scaled(double[] times, double factor) {
         return Arrays.stream(times).map(time -> factor * time).toArray();
-    }
-
-    private double unit(Shape shape) {
-        double size = Math.pow(r, shape.deflection().power()) * Math.pow(v, shape.speed().power());
-        return 0.1 * force / size;
-    }
-
-    private Hypothesis term(Shape shape, Modulator modulator, double size) {
-        double unit = unit(shape) / size;
-        return hypothesis(new LearnedTerm(shape, modulator, unit), unit, List.of(), List.of(Hypothesis.Start.scaled(unit)));
-    }
-
-    private Hypothesis knee(Shape of, Law.Side side) {
-        double rms = of.equals(Shape.SPEED) ? v : r;
-        double unit = unit(of);
-        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit,
-                List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
-                Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
-    }
-
-    private Hypothesis thinning() {
-        double unit = unit(Shape.SPEED);
-        return hypothesis(new Learned.Thinning(unit, THINNING[0], v), unit,
-                List.of(Hypothesis.Number.factor(LEAST_THINNING, MOST_THINNING).named("thinning"),
-                        Hypothesis.Number.factor(KNEES[0] / 20 * v, 20 * KNEES[2] * v).named("speed_m_per_s")),
-                Arrays.stream(THINNING).boxed().flatMap(n -> Arrays.stream(KNEES)
-                        .mapToObj(q -> new Hypothesis.Start(new double[] {unit, n, q * v}, List.of(new int[] {0})))).toList());
-    }
-
-    private Hypothesis memory(Shape of, Shape shape, double[] times) {
-        double unit = unit(shape) * unit(of) / unit(Shape.ONE);
-        return hypothesis(new LearnedMemory(of, shape, Modulator.NONE, unit, times[0]), unit,
-                List.of(new Hypothesis.Number("memory_s", 0, pace * SHORTEST, pace * 40)),
-                Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
-    }
-
-    /** Forces up to three times the root mean square to either side: nearly all of a motion that is normal. */
-    private Hypothesis table(Shape of) {
-        double step = of.equals(Shape.SPEED) ? v : r;
-        double unit = 0.1 * force;
-        List<Hypothesis.Number> numbers = new ArrayList<>(List.of(Hypothesis.Number.factor(0.999 * step, 1.001 * step)));
-        double[] start = new double[TABLED + 1];
-        start[0] = step;
-        for (int i = 1; i <= TABLED; i++) {
-            numbers.add(Hypothesis.Number.sum(unit, -300 * unit, 300 * unit));
-            start[i] = unit;
-        }
-        LearnedTable law = new LearnedTable(of, step, unit, unit, unit, unit, unit, unit);
-        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
-                Hypothesis.Number.named(LearnedTable.class, numbers),
-                List.of(new Hypothesis.Start(start, IntStream.rangeClosed(1, TABLED).mapToObj(i -> new int[] {i}).toList())));
-    }
-
-    private Hypothesis inertance() {
-        return new LearnedForce().inertance(link, where, 0.1 * force * r / (v * v));
-    }
-
-    private Hypothesis course(Shape shape, LearnedCourse.Course course, double[] times) {
-        double unit = unit(shape);
-        Hypothesis.Number time = course == LearnedCourse.Course.STEP
-                ? new Hypothesis.Number("time_s", 0.02 * seconds, 0.02 * seconds, 0.98 * seconds)
-                : new Hypothesis.Number("time_s", 0, 0.02 * seconds, 20 * seconds);
-        return hypothesis(new LearnedCourse(shape, course, unit, times[0]), unit, List.of(time),
-                Arrays.stream(times).mapToObj(at -> new Hypothesis.Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
-    }
-
-    /** A sine and a cosine, which make a wave of any phase. */
-    private Hypothesis wave(Shape shape) {
-        double unit = unit(shape);
-        LearnedWave law = new LearnedWave(shape, unit, unit, SLOWEST);
-        String tail = "_[" + law.unit() + "] of " + words(law);
-        // Within half a line of its peak a wave's phase still runs away over the record: quarters of a line are near enough.
-        double apart = Math.max(0.5 / seconds, (FASTEST - SLOWEST) / MOST_WAVES);
-        List<Hypothesis.Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Hypothesis.Start(
-                new double[] {unit, unit, SLOWEST + i * apart}, List.of(new int[] {0}, new int[] {1}))).toList();
-        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
-                List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit),
-                        new Hypothesis.Number("sine" + tail, unit, -300 * unit, 300 * unit),
-                        new Hypothesis.Number("frequency_hz", 0.01, 0.5 * SLOWEST, 2 * FASTEST)),
-                starts);
-    }
-
-    private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Hypothesis.Start> starts) {
-        List<Hypothesis.Number> numbers = new ArrayList<>(List.of(new Hypothesis.Number(key(law), unit, -300 * unit, 300 * unit)));
-        numbers.addAll(further);
-        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
     }
 
     /** What a term is multiplied by. */
@@ -259,32 +125,18 @@ final class Grammar {
     }
 
     private static Learned law(Hypothesis term) {
-        return (Learned) ((Hypothesis.Addition.InLink) term.additions().get(0)).law();
+        return (Learned) ((Addition.InLink) term.additions().get(0)).law();
     }
 
-    /** A term with a modulator as it is where that has a limit, to begin with at twice its root mean square; empty for any other. */
+    /** A term with a modulator as it is where that has a limit; empty for any other. */
     Optional<Hypothesis> limited(Hypothesis term) {
-        if (!(law(term) instanceof LearnedTerm law) || law.modulator() instanceof Modulator.None) {
-            return Optional.empty();
-        }
-        double size = size(law.modulator());
-        double unit = term.numbers().get(0).unit();
-        return Optional.of(hypothesis(new LearnedLimited(law.shape(), law.modulator(), unit, 2 * size), unit,
-                List.of(new Hypothesis.Number("limit_[" + law.modulator().unit() + "]", 0, 0.2 * size, 30 * size)),
-                List.of(new Hypothesis.Start(new double[] {unit, 2 * size}, List.of(new int[] {0})))));
-    }
-
-    /** A term in words: {@code |v|v × load of link 2}. */
-    static String words(Learned law) {
-        return law.kind() + (law.modulator() instanceof Modulator.None ? "" : " × " + law.modulator());
-    }
-
-    private static String key(Learned law) {
-        return "coefficient_[" + law.unit() + "] of " + words(law);
+        return law(term) instanceof LearnedTerm law && !(law.modulator() instanceof Modulator.None)
+                ? Optional.of(terms.limited(law, term.numbers().get(0).unit(), size(law.modulator())))
+                : Optional.empty();
     }
 
     private double[] steps() {
-        return IntStream.range(1, STEPS).mapToDouble(i -> i * seconds / STEPS).toArray();
+        return IntStream.range(1, STEPS).mapToDouble(i -> i * terms.seconds() / STEPS).toArray();
     }
 
     private List<Modulator> modulators() {

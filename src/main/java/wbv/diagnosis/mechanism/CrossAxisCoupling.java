@@ -11,7 +11,7 @@ import java.util.Set;
 import java.util.function.Function;
 import wbv.body.Drive;
 import wbv.body.Model;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;

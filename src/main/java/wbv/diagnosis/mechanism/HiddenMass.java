@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.Model;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 

@@ -4,16 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
-import wbv.body.Assembly;
-import wbv.body.Drive;
-import wbv.body.Model;
 import wbv.body.SensorFault;
-import wbv.body.law.EngagingFriction;
 import wbv.body.law.Law;
-import wbv.body.law.Learned;
-import wbv.body.law.Settling;
-import wbv.body.law.SlowDrift;
-import wbv.body.law.StepChange;
 import wbv.body.number.Numbers;
 
 /**
@@ -77,64 +69,6 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         }
         return new Hypothesis(kind, scene.outputs().get(outputs.get(0)).location(), "", additions,
                 Number.named(faults.get(0).getClass(), bounds), starts);
-    }
-
-    /** What a hypothesis adds. */
-    public sealed interface Addition {
-
-        /** A fault of an output's sensor. */
-        sealed interface OfSensor extends Addition {
-            /** Index of the output. */
-            int output();
-
-            /** What its sensor does. */
-            SensorFault fault();
-        }
-
-        /** A law in a link. */
-        sealed interface OfLink extends Addition {
-            /** Index of the link. */
-            int link();
-
-            /** The law, whose numbers mean nothing yet. */
-            Law law();
-        }
-
-        /** A law in a link, with numbers of its own. */
-        record InLink(int link, Law law) implements OfLink {}
-
-        /** Another law in a link with the same numbers as the one before it, times factors. */
-        record AlikeInLink(int link, Law law, List<Double> factors) implements OfLink {
-            public AlikeInLink {
-                factors = List.copyOf(factors);
-            }
-
-            private double[] numbers(double[] first) {
-                double[] out = first.clone();
-                Arrays.setAll(out, i -> factors.get(i) * first[i]);
-                return out;
-            }
-        }
-
-        /** A drive in a link, or on a body where {@link Drive#actsOnBody}. */
-        record Driven(int place, Drive drive) implements Addition {}
-
-        /** A fault of one channel's sensor, with numbers of its own. */
-        record AtSensor(int output, SensorFault fault) implements OfSensor {}
-
-        /**
-         * The same fault of another channel of a device: it has no numbers of its own, but those of the sensor before it, times factors.
-         *
-         * @param device first output of the device, which need not have the fault
-         */
-        record Alike(int device, int output, SensorFault fault, List<Double> factors) implements OfSensor {
-            public Alike {
-                factors = List.copyOf(factors);
-            }
-        }
-
-        /** A hidden mass on a body; its numbers are mass, stiffness and damping, and of a spring that stiffens the cubic term. */
-        record Hidden(int body, Model.HiddenMode mode) implements Addition {}
     }
 
     /**
@@ -289,43 +223,26 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** Whether naming it needs a free run: a law that is not linear. */
     public boolean runsFree() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear()
-                || a instanceof Addition.Hidden hidden && hidden.mode().stiffening().isPresent());
+        return additions.stream().anyMatch(Addition::runsFree);
     }
 
     /** Whether it is a law in a link, linear or not: physics follows its formula only so far. */
     public boolean isLaw() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink);
+        return additions.stream().anyMatch(Addition.InLink.class::isInstance);
     }
 
     /** Whether it answers some time after what it answers to. */
     public boolean isLate() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && in.law().lateness() > 0);
+        return additions.stream().anyMatch(Addition::isLate);
     }
 
     /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
     public boolean overturns() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying
-                || a instanceof Addition.InLink in && in.law() instanceof EngagingFriction);
+        return additions.stream().anyMatch(Addition::overturns);
     }
 
     /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */
     public boolean byTheClock() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && byTheClock(in.law())
-                || a instanceof Addition.Driven driven && byTheClock(driven.drive())
-                || a instanceof Addition.AtSensor at && byTheClock(at.fault()));
-    }
-
-    /** The same of what a model has already. */
-    public static boolean byTheClock(Assembly assembly) {
-        return assembly.laws().stream().anyMatch(at -> byTheClock(at.law()))
-                || assembly.drives().stream().anyMatch(at -> byTheClock(at.drive()))
-                || assembly.outputs().stream().flatMap(output -> output.faults().stream()).anyMatch(Hypothesis::byTheClock);
-    }
-
-    private static boolean byTheClock(Object physics) {
-        return physics instanceof Learned law && law.byTheClock() || physics instanceof StepChange || physics instanceof SlowDrift
-                || physics instanceof Settling || physics instanceof Drive.Tone
-                || physics instanceof SensorFault.WanderingDelay || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
+        return additions.stream().anyMatch(Addition::byTheClock);
     }
 }

@@ -13,7 +13,7 @@ import wbv.body.law.JenkinsElement;
 import wbv.body.law.Law;
 import wbv.body.law.Slider;
 import wbv.body.number.Numbers;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 

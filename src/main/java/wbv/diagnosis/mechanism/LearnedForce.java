@@ -28,7 +28,7 @@ public record LearnedForce() implements Mechanism {
      * @param unit of a search for it [kg]
      */
     public Hypothesis inertance(int link, String where, double unit) {
-        return new Hypothesis(this, where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
+        return new Hypothesis(this, where, "a", List.of(new Addition.InLink(link, new LearnedInertance(unit))),
                 List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
     }
 }

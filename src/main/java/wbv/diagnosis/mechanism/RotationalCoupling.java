@@ -8,7 +8,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import wbv.body.Drive;
 import wbv.body.SensorFault;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;

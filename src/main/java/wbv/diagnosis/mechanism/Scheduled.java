@@ -91,7 +91,7 @@ record Scheduled(What what) implements Mechanism {
      */
     @Override
     public List<Told> told(Hypothesis hypothesis) {
-        Modulator.Level by = (Modulator.Level) ((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).law().modulator();
+        Modulator.Level by = (Modulator.Level) ((Addition.InLink) hypothesis.additions().get(0)).law().modulator();
         int first = what == What.FRICTION ? 1 : 0;
         String key = what == What.FRICTION ? "friction_N" : what == What.STIFFNESS ? "stiffness_change" : "damping_change";
         int degree = FORMS.keySet().stream().filter(each -> hypothesis.form().startsWith(FORMS.get(each))).findFirst().orElseThrow();

@@ -42,7 +42,7 @@ record SensorAcCoupling() implements Mechanism {
     public List<Hypothesis> onBody(Scene scene, int body) {
         double[] corners = corners(scene);
         return scene.inputsOn(body).map(channel -> new Hypothesis(this, channel.toString(), "",
-                List.of(new Hypothesis.Addition.Driven(body, new Drive.Coupled(channel, corners[0]))),
+                List.of(new Addition.Driven(body, new Drive.Coupled(channel, corners[0]))),
                 Hypothesis.Number.named(Drive.Coupled.class, List.of(bounds(scene))), grid(corners, corner -> fixed(corner)))).toList();
     }
 

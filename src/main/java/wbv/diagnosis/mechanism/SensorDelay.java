@@ -75,7 +75,7 @@ record SensorDelay() implements Mechanism {
         double step = scene.step();
         return scene.inputsOn(body)
                 .map(channel -> new Hypothesis(this, channel.toString(), "",
-                        List.of(new Hypothesis.Addition.Driven(body, new Drive.Late(channel, step))),
+                        List.of(new Addition.Driven(body, new Drive.Late(channel, step))),
                         Number.named(Drive.Late.class, List.of(sum(0.3 * step, 0, 50 * step))), List.of(Start.scaled(step))))
                 .toList();
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import wbv.body.law.GradualSaturation;
 import wbv.body.law.SaturatingSpring;
-import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 
 /** A spring whose force saturates, over a bend that is as wide as most or another. */

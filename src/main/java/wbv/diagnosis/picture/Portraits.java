@@ -12,6 +12,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LatentEstimator;
 import wbv.diagnosis.learn.LatentForce;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -45,11 +46,11 @@ final class Portraits {
         return out;
     }
 
-    private List<Portrait> of(Hypothesis hypothesis, Hypothesis.Addition addition) {
-        if (addition instanceof Hypothesis.Addition.InLink in) {
+    private List<Portrait> of(Hypothesis hypothesis, Addition addition) {
+        if (addition instanceof Addition.InLink in) {
             return new LinkPortraits(evidence, latent(false, in.link()), hypothesis.where(), in.link()).of(found(in.link()));
         }
-        if (addition instanceof Hypothesis.Addition.Driven driven) {
+        if (addition instanceof Addition.Driven driven) {
             if (driven.drive() instanceof Drive.Tone) {
                 return new BodyPortraits(evidence, latent(true, driven.place()), hypothesis.where()).force(true);
             }
@@ -58,11 +59,11 @@ final class Portraits {
                     .orElseThrow().drive();
             return driven(drive, driven.place(), hypothesis.where());
         }
-        if (addition instanceof Hypothesis.Addition.AtSensor at) {
+        if (addition instanceof Addition.AtSensor at) {
             return new SensorPortraits(evidence, base, chosen, at.output()).of(at.fault());
         }
         return List
-                .of(new BodyPortraits(evidence, latent(true, ((Hypothesis.Addition.Hidden) addition).body()), hypothesis.where()).mass());
+                .of(new BodyPortraits(evidence, latent(true, ((Addition.Hidden) addition).body()), hypothesis.where()).mass());
     }
 
     /** What drives a place; a force whose sensor errs has no motion that it goes by, and is drawn as any other on a body. */
@@ -81,7 +82,7 @@ final class Portraits {
      * @param term one of it
      */
     private List<Portrait> learned(Hypothesis term) {
-        int link = ((Hypothesis.Addition.InLink) term.additions().get(0)).link();
+        int link = ((Addition.InLink) term.additions().get(0)).link();
         LatentForce latent = latent(false, link);
         return new LinkPortraits(evidence, latent, term.where(), link).learned();
     }

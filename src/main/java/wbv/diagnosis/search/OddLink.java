@@ -7,6 +7,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -98,7 +99,7 @@ record OddLink(int link, double scale, double moved) {
 
     /** Whether a hypothesis is what an odd stiffness of this link makes up for most often. */
     boolean isMemory(Hypothesis hypothesis) {
-        return hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
+        return hypothesis.additions().get(0) instanceof Addition.InLink in && in.link() == link
                 && in.law() instanceof MaxwellArm;
     }
 

@@ -13,6 +13,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.measured.SmallError;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -44,7 +45,7 @@ public final class OddSensor {
         }
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
         return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
-                .filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.AtSensor at && at.output() == odd.get(0)
+                .filter(h -> h.additions().get(0) instanceof Addition.AtSensor at && at.output() == odd.get(0)
                         && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
                 .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty());
     }
@@ -52,7 +53,7 @@ public final class OddSensor {
     private Fitter.State late(Fitter.State base, Hypothesis hypothesis) {
         Candidate with = base.candidate().with(hypothesis);
         double[] start = hypothesis.starts().get(0).values().clone();
-        int output = ((Hypothesis.Addition.AtSensor) hypothesis.additions().get(0)).output();
+        int output = ((Addition.AtSensor) hypothesis.additions().get(0)).output();
         start[0] = device(output).stream().mapToDouble(o -> base.frame().nuisances().delays().of(o, base.errors())).average().orElseThrow();
         return refinement.polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }

@@ -17,6 +17,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Whitening;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -145,8 +146,8 @@ public final class Screening {
      * @param values by number, in its unit. Not modified.
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.OfLink)) {
-            int link = ((Hypothesis.Addition.OfLink) hypothesis.additions().get(0)).link();
+        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink)) {
+            int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
             return seen(linear.answer(link, force(hypothesis, link, values)));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);

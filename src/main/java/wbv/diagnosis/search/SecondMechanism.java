@@ -13,6 +13,7 @@ import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -111,7 +112,7 @@ public final class SecondMechanism {
     /** The fit, or one with a memory in place of a reflex, which imitates it, where that does nearly as well. */
     private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
         Hypothesis found = fit.candidate().last();
-        if (!(found.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof Reflex)) {
+        if (!(found.additions().get(0) instanceof Addition.InLink in && in.law() instanceof Reflex)) {
             return fit;
         }
         double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);

@@ -9,6 +9,7 @@ import wbv.body.law.BristleFriction;
 import wbv.body.law.Law;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Slot;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
 
@@ -40,7 +41,7 @@ final class Yielding {
     /** Rivals of a fit whose last hypothesis is friction or hysteresis, polished; none of any other. */
     List<Fitter.State> rivals(Fitter.State fit) {
         Hypothesis last = fit.candidate().last();
-        if (!(last.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
+        if (!(last.additions().get(0) instanceof Addition.InLink in)) {
             return List.of();
         }
         double[] found = Arrays.stream(fit.candidate().positions(last))
@@ -70,7 +71,7 @@ final class Yielding {
 
     /** Friction with bristles, or hysteresis in one stage, in a link; empty where the library has none. */
     private Optional<Hypothesis> of(int link, Class<? extends Law> law) {
-        return all.stream().filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
+        return all.stream().filter(h -> h.additions().get(0) instanceof Addition.InLink in && in.link() == link
                 && in.law().getClass() == law).findFirst();
     }
 

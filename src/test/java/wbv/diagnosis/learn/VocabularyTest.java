@@ -10,6 +10,7 @@ import wbv.body.law.Learned;
 import wbv.body.law.LearnedTerm;
 import wbv.body.number.Modulator;
 import wbv.body.number.Shape;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
 
@@ -38,7 +39,7 @@ class VocabularyTest {
 
     private static Hypothesis term(String shape, Modulator modulator) {
         Learned law = new LearnedTerm(Shape.parse(shape), modulator, 1);
-        return new Hypothesis(new LearnedForce(), "platform-seat", Grammar.words(law), List.of(new Hypothesis.Addition.InLink(0, law)),
+        return new Hypothesis(new LearnedForce(), "platform-seat", Terms.words(law), List.of(new Addition.InLink(0, law)),
                 List.of(new Hypothesis.Number("coefficient", 1, -9, 9)), List.of(Hypothesis.Start.scaled(1)));
     }
 }

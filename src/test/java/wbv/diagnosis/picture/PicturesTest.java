@@ -35,6 +35,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LatentEstimator;
 import wbv.diagnosis.learn.LatentForce;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.search.Trial;
@@ -313,7 +314,7 @@ class PicturesTest {
 
     private static Fitter.State with(Trial trial, Law law, double value) {
         Hypothesis hypothesis = new Hypothesis(Library.standard().of("stiffness.hardening").orElseThrow(), "seat-torso", "",
-                List.of(new Hypothesis.Addition.InLink(LINK, law)),
+                List.of(new Addition.InLink(LINK, law)),
                 List.of(Hypothesis.Number.sum(value, -10 * value, 10 * value).named("k3_N_per_m3")),
                 List.of(Hypothesis.Start.fixed(value)));
         return state(trial, hypothesis, new double[] {value});

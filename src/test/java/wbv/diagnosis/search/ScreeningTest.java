@@ -26,6 +26,7 @@ import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
@@ -87,7 +88,7 @@ class ScreeningTest {
 
     private static Hypothesis hypothesis(int link, Law law, double value) {
         return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "link " + link, "",
-                List.of(new Hypothesis.Addition.InLink(link, law)),
+                List.of(new Addition.InLink(link, law)),
                 Hypothesis.Number.named(law.getClass(), List.of(Hypothesis.Number.sum(value, -1000 * value, 1000 * value))),
                 List.of(Hypothesis.Start.scaled(value)));
     }
