@@ -9,7 +9,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 
-/** Hypotheses race for the best fit, in heats: a few steps for all that the screening ranked first, the whole way for those that lead then. */
+/** Hypotheses race for the best fit, in heats: a few steps for all that are on the shortlist, the whole way for those that lead then. */
 final class Heats {
 
     private static final int FINALISTS = 6;
