@@ -16,12 +16,13 @@ import wbv.signal.SpectralMatrix;
  */
 final class RollOff {
 
-    private static final int SEGMENT = 512;
+    /** Samples of a segment: a filter is no finer, and shorter ones are the more to average. */
+    private static final int SEGMENT = 128;
     private static final int BINS = SEGMENT / 2 + 1;
     private static final double FROM = 0.25;
     private static final double FLAT = 0.37;
     /** Bins on either side of one that are averaged with it. */
-    private static final int ABOUT = 2;
+    private static final int ABOUT = 1;
 
     private final double[] gain;
 
@@ -30,8 +31,8 @@ final class RollOff {
     }
 
     /**
-     * As the sensors of one quantity show it, of which the one that shows least of it counts: what is left of an excitation in its noise
-     * falls too. No filter at all where the recording is too short to tell.
+     * As half of the sensors of one quantity show it at least: one that hears more than its noise there shows less of it, and one in whose
+     * noise something of the excitation is left shows more. No filter at all where the recording is too short to tell.
      */
     static RollOff of(Recording recording, Channel input) {
         List<double[]> series = recording.channels().stream().filter(channel -> channel.quantity() == input.quantity())
@@ -53,9 +54,10 @@ final class RollOff {
         for (int k = (int) (FLAT * SEGMENT); k < BINS && noise.length > 0; k++) {
             int from = Math.max(0, k - ABOUT);
             int to = Math.min(BINS, k + ABOUT + 1);
-            double near = Arrays.stream(noise).mapToDouble(own -> Arrays.stream(own, from, to).average().orElse(1) / mean(own, FROM, FLAT))
-                    .filter(part -> part >= 0).max().orElse(1);
-            gain[k] = Math.sqrt(Math.min(1, near));
+            double[] parts = Arrays.stream(noise)
+                    .mapToDouble(own -> Arrays.stream(own, from, to).average().orElse(1) / mean(own, FROM, FLAT)).sorted().toArray();
+            double near = (parts[parts.length / 2] + parts[(parts.length - 1) / 2]) / 2;
+            gain[k] = near >= 0 ? Math.sqrt(Math.min(1, near)) : 1;
         }
         return new RollOff(gain);
     }
