@@ -27,7 +27,7 @@ record AbruptChange() implements Mechanism {
     /** Periods in which what changes has changed (assumed) [1], and the most of the record that they may be. */
     private static final double CHANGING = 5;
     private static final double MOST_CHANGING = 0.025;
-    /** Part by which it changes, as it is looked at to first order. */
+    /** Part by which spring and dashpot change, either for itself, as it is looked at to first order. */
     private static final double SIZE = 0.1;
 
     @Override
@@ -44,7 +44,7 @@ record AbruptChange() implements Mechanism {
         List<Start> moments = new ArrayList<>();
         for (double t = before; t < end - NEARER * before; t += apart) {
             // A fit that is not led there starts from a link that all but goes.
-            moments.add(new Start(new double[] {t, 0.1, 0.1}, new double[] {t, SIZE, SIZE}, List.of(new int[] {1, 2})));
+            moments.add(new Start(new double[] {t, 0.1, 0.1}, new double[] {t, SIZE, SIZE}, List.of(new int[] {1}, new int[] {2})));
         }
         return List.of(Hypothesis.law(this, link, "", new StepChange(end / 2, 1.1, 1.1),
                 List.of(sum(changing, NEARER * before, end - NEAREST * before), sum(0.1, 0.05, 6).about(1), sum(0.1, 0.05, 6).about(1)),
