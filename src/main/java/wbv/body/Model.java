@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.law.Law;
 import wbv.body.number.Check;
 import wbv.body.number.Key;
@@ -504,6 +505,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         List<Channel> out = new ArrayList<>(base.sensors());
         inputs.forEach(input -> out.add(input.sensor()));
         return out;
+    }
+
+    /** All that it has to do with in a recording, each once: its outputs, then what moves it. */
+    public List<Channel> channels() {
+        return Stream.concat(outputs().stream(), excitations().stream()).distinct().toList();
     }
 
     /** What rests on the base, and what is one with it [kg]. What only turns, and what is another motion of a body, adds nothing. */

@@ -11,7 +11,6 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -176,7 +175,7 @@ final class Diagnose implements Callable<Integer> {
     /** What a recording lacks or holds falsely of what is used of it, one line a kind. */
     private static List<String> damage(Inspection inspection, Optional<Model> model, String whose) {
         Set<Channel> used = model
-                .map(each -> Stream.concat(each.excitations().stream(), each.outputs().stream()).collect(Collectors.toSet()))
+                .map(each -> Set.copyOf(each.channels()))
                 .orElse(inspection.summaries().keySet());
         return FoldedFindings.damage(inspection, used).stream().map(line -> line.severity() + ": " + whose + line.message()).toList();
     }

@@ -206,25 +206,25 @@ public final class SpectralMatrix {
     }
 
     /**
-     * Power spectral density of what a channel shares with none of the others, by bin [unit²/Hz]: what is left of it when all of them are
-     * taken out, over what is left of noise (Bendat and Piersol, Random Data, 2010, section 7.3). NaN where the others leave nothing, or
-     * there are too few independent segments to tell.
+     * Power spectral density of what each channel shares with none of the others, by channel and bin [unit²/Hz]: what is left of it when
+     * all of them are taken out, over what is left of noise (Bendat and Piersol, Random Data, 2010, section 7.3). NaN where the others
+     * leave nothing, or there are too few independent segments to tell.
      */
-    public double[] unshared(int channel) {
+    public double[][] unshared() {
         Hermitian matrix = new Hermitian(channels.length);
-        double[] density = density(channel);
         double free = independent() - channels.length + 1;
-        double[] out = new double[density.length];
-        for (int k = 0; k < out.length; k++) {
+        double scale = Segments.densityScale(segmentation) / weight * independent() / free;
+        double[][] out = new double[channels.length][segmentation.bins()];
+        for (int k = 0; k < segmentation.bins(); k++) {
             for (int i = 0; i < channels.length; i++) {
                 for (int j = 0; j <= i; j++) {
                     matrix.set(i, j, re[index(i, j)][k], im[index(i, j)][k]);
                 }
             }
-            double own = re[index(channel, channel)][k];
-            out[k] = free >= 1 && matrix.invert()
-                    ? density[k] / own / matrix.inverseRe(channel, channel) * independent() / free
-                    : Double.NaN;
+            boolean told = free >= 1 && matrix.invert();
+            for (int i = 0; i < channels.length; i++) {
+                out[i][k] = told ? scale / matrix.inverseRe(i, i) : Double.NaN;
+            }
         }
         return out;
     }

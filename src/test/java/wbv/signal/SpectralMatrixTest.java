@@ -26,7 +26,7 @@ class SpectralMatrixTest {
             matrix.accept(new double[] {common + random.nextGaussian(), common + other + 2 * random.nextGaussian(), other});
         }
         double[] shared = matrix.density(0);
-        double[] own = matrix.unshared(0);
+        double[] own = matrix.unshared()[0];
         // The second channel less the third shows the first with a noise of variance 4: what is left of 1 beside it is its own,
         // and of what both have the part that the weaker does not tell.
         double left = 1 + 1 / (1 / 900.0 + 1 / 4.0);
@@ -41,7 +41,7 @@ class SpectralMatrixTest {
         for (int i = 0; i < 90; i++) {
             matrix.accept(new double[] {random.nextGaussian(), random.nextGaussian()});
         }
-        assertTrue(Double.isNaN(matrix.unshared(0)[5]), "one segment tells nothing of two channels");
+        assertTrue(Double.isNaN(matrix.unshared()[0][5]), "one segment tells nothing of two channels");
     }
 
     private static double mean(double[] density) {

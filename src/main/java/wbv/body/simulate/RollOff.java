@@ -2,7 +2,6 @@ package wbv.body.simulate;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.signal.Detrend;
@@ -49,7 +48,7 @@ final class RollOff {
             Arrays.setAll(row, c -> series.get(c)[at]);
             spectra.accept(row);
         }
-        double[][] noise = IntStream.range(0, row.length).mapToObj(spectra::unshared).filter(own -> mean(own, FROM, FLAT) > 0)
+        double[][] noise = Arrays.stream(spectra.unshared()).filter(own -> mean(own, FROM, FLAT) > 0)
                 .toArray(double[][]::new);
         for (int k = (int) (FLAT * SEGMENT); k < BINS && noise.length > 0; k++) {
             int from = Math.max(0, k - ABOUT);

@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Parallel;
@@ -72,7 +71,7 @@ final class Agreement {
     private static boolean[] present(Model model, Recording part) {
         boolean[] present = new boolean[part.length()];
         Arrays.fill(present, true);
-        Stream.concat(model.outputs().stream(), model.excitations().stream()).map(part::values).forEach(x -> {
+        model.channels().stream().map(part::values).forEach(x -> {
             for (int i = 0; i < present.length; i++) {
                 present[i] &= !Double.isNaN(x[i]);
             }

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.measured.SitterRate;
@@ -43,7 +42,7 @@ public final class ConventionCheck {
     private ConventionCheck(Model model, Recording recording) {
         this.model = model;
         this.recording = recording;
-        this.channels = channels(model);
+        this.channels = model.channels();
     }
 
     /**
@@ -58,14 +57,10 @@ public final class ConventionCheck {
         return comparable(model, slow) ? new ConventionCheck(model, slow).meant(recording, units, modelsOwn) : Optional.empty();
     }
 
-    private static List<Channel> channels(Model model) {
-        return Stream.concat(model.outputs().stream(), model.excitations().stream()).distinct().toList();
-    }
-
     /** Whether all is there to be compared: what lacks a channel, or any motion of one, is refused elsewhere. */
     private static boolean comparable(Model model, Recording recording) {
         return !model.outputs().isEmpty() && !model.excitations().isEmpty() && recording.length() >= FEWEST
-                && channels(model).stream().allMatch(channel -> recording.has(channel)
+                && model.channels().stream().allMatch(channel -> recording.has(channel)
                         && Arrays.stream(recording.values(channel)).filter(Double::isFinite).distinct().limit(2).count() == 2);
     }
 

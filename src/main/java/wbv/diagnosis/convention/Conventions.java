@@ -3,7 +3,6 @@ package wbv.diagnosis.convention;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -18,7 +17,7 @@ final class Conventions {
     /** @param units whether units are in question, of the model too, and not signs and names alone */
     static List<Convention> of(Model model, Recording recording, boolean units, boolean modelsOwn) {
         // Of what no recording tells apart the first is named: a force, whose sign is anybody's choice, before a motion.
-        List<Channel> sensors = Stream.concat(model.outputs().stream(), model.excitations().stream()).distinct()
+        List<Channel> sensors = model.channels().stream()
                 .sorted(Comparator.comparing(channel -> channel.quantity() != Quantity.FORCE)).toList();
         List<Convention> all = new ArrayList<>();
         for (Channel channel : sensors) {

@@ -33,7 +33,7 @@ public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, do
     public double evidence() {
         Calibration calibration = Calibration.standard();
         return calibration.evidence(left, least) - calibration.evidence(without, least) - words.price(terms)
-                - numbers() * calibration.price();
+                - numbers(terms) * calibration.price();
     }
 
     /** Whether it explains more than chance lets the best of so many terms explain of data of this length. */
@@ -42,7 +42,7 @@ public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, do
         return (without - left) / (2 * Math.max(1, left)) * degrees > chance(words, terms, degrees);
     }
 
-    private int numbers() {
+    private static int numbers(List<Hypothesis> terms) {
         return terms.stream().mapToInt(term -> term.numbers().size()).sum();
     }
 
@@ -52,7 +52,7 @@ public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, do
      * @param degrees of freedom of the data
      */
     static double chance(Vocabulary words, List<Hypothesis> terms, double degrees) {
-        return words.price(terms) + 0.5 * terms.stream().mapToInt(term -> term.numbers().size()).sum() * Math.log(degrees);
+        return words.price(terms) + 0.5 * numbers(terms) * Math.log(degrees);
     }
 
     /** Whether it leaves so much more than what is known without a law that no further term helps. */
