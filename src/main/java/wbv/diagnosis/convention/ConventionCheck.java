@@ -76,9 +76,9 @@ public final class ConventionCheck {
 
     /** Sensors that carry nothing. */
     private List<Channel> silent(Agreement agreement) {
-        Unmoved unmoved = new Unmoved(recording, channels);
+        Unmoved unmoved = new Unmoved(model, recording);
         boolean all = agreement.unexplained(0).size() == model.outputs().size();
-        if (all && model.isRig() && model.outputs().stream().allMatch(output -> unmoved.beside(output, model.excitations()))) {
+        if (all && model.isRig() && unmoved.all()) {
             throw new DataFault(String.format("no more of what the model's sensors measured goes with %s than chance gives: "
                     + "is it the right input, connected, and on the same clock?", named(model.excitations())));
         }

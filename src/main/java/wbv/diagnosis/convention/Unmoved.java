@@ -4,6 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.body.Model;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.measured.Coherence;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Channel;
@@ -12,7 +15,8 @@ import wbv.signal.LostSamples;
 
 /**
  * Channels that carry nothing of the motion: no more goes with them of any other channel, or of how large that is, than chance gives. Of
- * what moves beside others some part goes with some of them, whatever law is between.
+ * what moves beside others some part goes with some of them, whatever law is between. What has two levels only, as a binary sequence, is
+ * always as large, though: what a sensor makes of it that loses the sign goes with how large the model's own answer is, which remembers.
  */
 final class Unmoved {
 
@@ -21,14 +25,15 @@ final class Unmoved {
     private static final int LONG = 4096;
     private static final int SEGMENTS = 16;
 
+    private final Model model;
     private final Recording recording;
     private final List<Channel> channels;
     private final double[][] series;
 
-    /** @param channels those of a model */
-    Unmoved(Recording recording, List<Channel> channels) {
+    Unmoved(Model model, Recording recording) {
+        this.model = model;
         this.recording = recording;
-        this.channels = channels;
+        this.channels = model.channels();
         this.series = channels.stream().map(channel -> Measured.centred(LostSamples.filled(recording.values(channel))))
                 .toArray(double[][]::new);
     }
@@ -38,6 +43,17 @@ final class Unmoved {
         double[] own = series[channels.indexOf(channel)];
         return others.stream().filter(other -> !other.equals(channel)).map(other -> series[channels.indexOf(other)])
                 .noneMatch(other -> related(own, other));
+    }
+
+    /** Whether nothing of all that was measured goes with what moves the model, nor with what the model makes of that. */
+    boolean all() {
+        return model.outputs().stream().allMatch(output -> beside(output, model.excitations())) && !answered();
+    }
+
+    private boolean answered() {
+        double[][] answer = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly());
+        return IntStream.range(0, answer.length)
+                .anyMatch(o -> related(series[channels.indexOf(model.outputs().get(o))], Measured.centred(answer[o])));
     }
 
     /** Share of a channel that has to go with others to be told from chance [1]: of few long segments much. */

@@ -157,6 +157,13 @@ class ConventionCheckTest {
                 + "connected, and on the same clock?", said);
     }
 
+    /** A force of one size goes with no speed that has lost its sign, but what the model makes of it does. */
+    @ParameterizedTest
+    @MethodSource("seeds")
+    void aSpeedWithoutASignUnderABinarySequenceIsNotRefused(long seed) {
+        assertEquals(Optional.empty(), asked(MeantRides.switched(seed)).map(Meant::sentence));
+    }
+
     /** What its user said of the units is not doubted; a sign is. */
     @Test
     void unitsThatWereSaidAreNotAskedFor() {

@@ -85,6 +85,19 @@ final class MeantRides {
                         Bench.noisyBy(0.003, read, random)));
     }
 
+    /** A mass that a force of one size pushes to and fro, as a binary sequence has it, and whose speed is read without its sign. */
+    static Ride switched(long seed) {
+        Random random = new Random(seed);
+        double[] given = errors(random, 0.3, 3);
+        double[] side = IntStream.range(0, 400).mapToDouble(i -> random.nextBoolean() ? 1 : -1).toArray();
+        DoubleUnaryOperator push = t -> side[(int) (t / 0.2) % side.length];
+        Bench bench = new Bench(50, 60, 40, 0.05).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 0.5 * v[0] - 1.5 * x[0]);
+        Channel sensor = Channel.parse("mass.vel.z");
+        double[] read = Arrays.stream(bench.sampled(bench.velocity(0))).map(Math::abs).toArray();
+        return new Ride(Bench.oscillator(0.05 * given[0], 1.5 * given[1], 0.5 * given[2], sensor),
+                bench.recording("mass.force.z", bench.sampled(push), sensor, Bench.noisyBy(0.003, read, random)));
+    }
+
     private static double[] errors(Random random, double off, int count) {
         return random.doubles(count).map(any -> Math.exp(off * random.nextGaussian())).toArray();
     }
