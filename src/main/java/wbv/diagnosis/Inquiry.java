@@ -25,6 +25,8 @@ final class Inquiry {
 
     /** What is left beside noise that is known in full: 1, and what it scatters by. */
     static final double NOISE = 1.04;
+    /** Fits after which the noise of a rig's sensors is read again from what they leave: each is looked at with what the last one told. */
+    private static final int SETTLING = 3;
     /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
     private static final double OWN_SCATTER = 0.012;
 
@@ -42,7 +44,15 @@ final class Inquiry {
 
     /** @param progress told the step and the share of it that is done, 0 to 1 or NaN */
     static Inquiry of(Evidence evidence, BiConsumer<String, Double> progress) {
-        return new Inquiry(evidence, Baseline.of(evidence), progress);
+        Inquiry asked = new Inquiry(evidence, Baseline.of(evidence), progress);
+        for (int i = 0; i < SETTLING; i++) {
+            Optional<Evidence> quieter = asked.evidence.beside(asked.base());
+            if (quieter.isEmpty()) {
+                return asked;
+            }
+            asked = new Inquiry(quieter.get(), Baseline.of(quieter.get()), progress);
+        }
+        return asked;
     }
 
     /** The same where a person's own force counts as noise. */

@@ -233,6 +233,15 @@ public final class Evidence {
         return Optional.of(new Evidence(part, part.input(), Windows.whole(part), sources, library, new ConcurrentHashMap<>()));
     }
 
+    /**
+     * The same evidence, of a rig, with less noise, where a fit leaves so little that its outputs' sensors have to be better than they
+     * looked; empty where nothing shows that.
+     */
+    public Optional<Evidence> beside(Fitter.State fit) {
+        return onRig() && !fit.failed() ? measured.beside(new Readings(this).of(fit))
+                .map(quieter -> new Evidence(quieter, excitation, windows, sources, library, new ConcurrentHashMap<>())) : Optional.empty();
+    }
+
     /** Whether it is the end of the recording that is fitted. */
     public boolean isLate() {
         return windows.isLate();

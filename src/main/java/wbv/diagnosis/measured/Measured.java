@@ -2,19 +2,25 @@ package wbv.diagnosis.measured;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /** A recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the sensors are. */
 public final class Measured {
 
     /** Share of a recording that models are fitted to; the rest proves them. */
     public static final double FIT_SHARE = 0.7;
+
+    /** Part of a noise that another has to be below for anything to look different [1]: a tenth is what short records tell. */
+    private static final double NOTICED = 0.9;
 
     private final Model model;
     private final boolean computed;
@@ -25,6 +31,7 @@ public final class Measured {
     private final double sample;
     private final boolean chosen;
     private final int split;
+    private final SensorNoise reading;
     private final SensorNoise.Levels noise;
 
     /**
@@ -54,7 +61,7 @@ public final class Measured {
                 : MeasuredOutput.ofSitter(recording, this.recording, channel, driven)).toList();
         // Fewer samples hold less of a noise that is white.
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
-        SensorNoise reading = new SensorNoise(model, this.recording, outputs, computed,
+        reading = new SensorNoise(model, this.recording, outputs, computed,
                 stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated);
         noise = onRig() ? reading.onRig(input, split) : reading.ofSitter();
         if (!onRig()) {
@@ -74,7 +81,22 @@ public final class Measured {
         sample = like.sample;
         chosen = like.chosen;
         split = length;
+        reading = like.reading;
         noise = like.noise;
+    }
+
+    private Measured(Measured like, SensorNoise.Levels noise) {
+        model = like.model;
+        computed = like.computed;
+        recording = like.recording;
+        channels = like.channels;
+        input = like.input;
+        outputs = like.outputs;
+        sample = like.sample;
+        chosen = like.chosen;
+        split = like.split;
+        reading = like.reading;
+        this.noise = noise;
     }
 
     /** Where what moves a sitter is known. */
@@ -90,6 +112,28 @@ public final class Measured {
     /** A stretch of it, as if no more had been recorded; what is known of the sensors stays known. */
     public Measured part(int from, int length) {
         return new Measured(this, from, length);
+    }
+
+    /**
+     * The same with less noise, where on a rig a model leaves so little that its sensors have to be better than they looked; empty where
+     * nothing shows that.
+     *
+     * @param read what its outputs' sensors read by that model, by output, in their units. Not modified.
+     */
+    public Optional<Measured> beside(double[][] read) {
+        if (!onRig()) {
+            return Optional.empty();
+        }
+        SensorNoise.Levels levels = reading.onRig(input, split, IntStream.range(0, read.length)
+                .mapToObj(o -> left(outputs.get(o), read[o])).toArray(double[][]::new));
+        return IntStream.range(0, read.length).anyMatch(o -> levels.outputs()[o] < NOTICED * noise()[o])
+                ? Optional.of(new Measured(this, levels)) : Optional.empty();
+    }
+
+    /** What is left of what is fitted. */
+    private double[] left(MeasuredOutput output, double[] read) {
+        return LostSamples.filled(IntStream.range(0, split)
+                .mapToDouble(i -> output.valid()[i] ? output.series()[i] - read[i] : Double.NaN).toArray());
     }
 
     /** The user's. */

@@ -81,6 +81,20 @@ public final class NoiseLevel {
      * @param x by sample [unit of the channel]. Not modified.
      */
     public double bound(double[] x) {
+        return Math.max(quietest(x), rounding(x) / Math.sqrt(12));
+    }
+
+    /**
+     * The same where a part of what was measured is known: what is left of it is noise and whatever else is not known.
+     *
+     * @param x by sample [unit of the channel]. Not modified.
+     * @param left what is left of it, gaps bridged. Not modified.
+     */
+    double bound(double[] x, double[] left) {
+        return Math.min(bound(x), Math.max(quietest(left), rounding(x) / Math.sqrt(12)));
+    }
+
+    private static double quietest(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
         double least = Double.POSITIVE_INFINITY;
         for (double low = BAND; low + BAND <= HIGH; low += BAND) {
@@ -90,7 +104,7 @@ public final class NoiseLevel {
         double lines = Math.max(1, BAND * block) / HANN;
         double scatter = MEDIAN / Math.sqrt(lines * blocks);
         double median = Math.pow(1 - 1 / (9 * lines), 3);   // of a power that so many lines make, over its mean (Wilson and Hilferty 1931)
-        return Math.max(least * Math.sqrt(Math.exp(LEAST * scatter) / median), rounding(x) / Math.sqrt(12));
+        return least * Math.sqrt(Math.exp(LEAST * scatter) / median);
     }
 
     /** The least difference between two neighbouring samples that differ. */

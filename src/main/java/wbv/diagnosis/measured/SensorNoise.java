@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
@@ -42,13 +43,24 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
      * @param split end of what is fitted, and looked at [samples]
      */
     Levels onRig(Excitation input, int split) {
-        double[] all = outputs.stream().mapToDouble(output -> stated.orElseGet(() -> floor(output, input, split))).toArray();
+        return onRig(input, split, outputs.stream().map(MeasuredOutput::series).toArray(double[][]::new));
+    }
+
+    /**
+     * The same where a model is known that makes some of what was measured: where a rig is moved in all of the band, only what is left of
+     * that shows how noisy the outputs are at most.
+     *
+     * @param left what is left, by output, gaps bridged. Not modified.
+     */
+    Levels onRig(Excitation input, int split, double[][] left) {
+        double[] all = IntStream.range(0, left.length)
+                .mapToDouble(o -> stated.orElseGet(() -> floor(outputs.get(o), left[o], input, split))).toArray();
         boolean stands = model.base().sensor().filter(this::isOfOutputs).isPresent() && !model.driven() && stated.isPresent();
         return with(all, stands ? stated.getAsDouble() : known());
     }
 
-    private static double floor(MeasuredOutput output, Excitation input, int split) {
-        double quietest = new NoiseLevel().bound(output.series());
+    private static double floor(MeasuredOutput output, double[] left, Excitation input, int split) {
+        double quietest = new NoiseLevel().bound(output.series(), left);
         return input.stroke().map(stroke -> Math.max(quietest, Repeatable.rest(stroke, output.series(), output.valid(), split)))
                 .orElse(quietest);
     }
