@@ -177,7 +177,21 @@ public final class Diagnoser {
 
     /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
     private Diagnosed asKnown(Whereabouts where) {
-        List<Fitter.State> leaders = leaders(where);
+        return heard(leaders(where), where, Inquiry.SETTLING);
+    }
+
+    /**
+     * The diagnosis where the noise of a rig's sensors is read from what the best hypothesis leaves.
+     *
+     * @param times that it may be read anew: what leaves less of one noise may not of another
+     */
+    private Diagnosed heard(List<Fitter.State> leaders, Whereabouts where, int times) {
+        Optional<Inquiry> quieter = times == 0 ? Optional.empty() : leaders.stream().findFirst().flatMap(inquiry::beside);
+        return quieter.map(hearing -> new Diagnoser(hearing).heard(hearing.again(leaders), where, times - 1))
+                .orElseGet(() -> asKnown(leaders, where));
+    }
+
+    private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.stream().findFirst().orElse(base);
         Map<Channel, Double> input = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(best) : Map.of();

@@ -26,7 +26,7 @@ final class Inquiry {
     /** What is left beside noise that is known in full: 1, and what it scatters by. */
     static final double NOISE = 1.04;
     /** Fits after which the noise of a rig's sensors is read again from what they leave: each is looked at with what the last one told. */
-    private static final int SETTLING = 3;
+    static final int SETTLING = 3;
     /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
     private static final double OWN_SCATTER = 0.012;
 
@@ -46,13 +46,18 @@ final class Inquiry {
     static Inquiry of(Evidence evidence, BiConsumer<String, Double> progress) {
         Inquiry asked = new Inquiry(evidence, Baseline.of(evidence), progress);
         for (int i = 0; i < SETTLING; i++) {
-            Optional<Evidence> quieter = asked.evidence.beside(asked.base());
+            Optional<Inquiry> quieter = asked.beside(asked.base());
             if (quieter.isEmpty()) {
                 return asked;
             }
-            asked = new Inquiry(quieter.get(), Baseline.of(quieter.get()), progress);
+            asked = quieter.get();
         }
         return asked;
+    }
+
+    /** The same with less noise, of a rig, where a fit leaves so little that its outputs' sensors have to be better than they looked. */
+    Optional<Inquiry> beside(Fitter.State fit) {
+        return evidence.beside(fit).map(quieter -> new Inquiry(quieter, Baseline.of(quieter), progress));
     }
 
     /** The same where a person's own force counts as noise. */

@@ -37,7 +37,7 @@ public final class LawProof {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT;
+        return physics && named.best().reduced() > Refinement.SILENT;
     }
 
     /**
