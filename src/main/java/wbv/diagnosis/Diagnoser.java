@@ -113,7 +113,18 @@ public final class Diagnoser {
         boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
         boolean louderLater = !evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced();
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
-        return louderLater ? louderLater() : loud ? searched() : Conclusion.of(inquiry, List.of());
+        return louderLater ? louderLater() : loud ? searched() : Conclusion.of(hearingInput(Math.max(base.reduced(), heldOut)), List.of());
+    }
+
+    /** Knowing how noisy a rig's input is, where the little that is left may be that. */
+    private Inquiry hearingInput(double left) {
+        Map<Channel, Double> input = left < Refinement.SILENT ? Map.of() : inputLeft(base);
+        return input.isEmpty() ? inquiry : inquiry.knowing(input);
+    }
+
+    /** How noisy the sensors of a rig's input are by what a fit leaves. */
+    private Map<Channel, Double> inputLeft(Fitter.State fit) {
+        return evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
     }
 
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
@@ -194,7 +205,7 @@ public final class Diagnoser {
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.stream().findFirst().orElse(base);
-        Map<Channel, Double> input = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(best) : Map.of();
+        Map<Channel, Double> input = inputLeft(best);
         return input.isEmpty() ? withForceLeft(leaders, best, where) : judged(inquiry.knowing(input), leaders);
     }
 

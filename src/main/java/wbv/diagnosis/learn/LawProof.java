@@ -32,12 +32,15 @@ public final class LawProof {
         this.correction = correction;
     }
 
-    /** Whether a name leaves more than noise: then it may be another law, which only looks like it. */
+    /**
+     * Whether a name leaves more than noise: then it may be another law, which only looks like it. On a rig, which is so little noisy that
+     * it shows what no formula has quite right, whether it leaves more than a right one may.
+     */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && named.best().reduced() > Refinement.SILENT;
+        return physics && (named.evidence().onRig() ? leavesMuch(named) : named.best().reduced() > Refinement.SILENT);
     }
 
     /**

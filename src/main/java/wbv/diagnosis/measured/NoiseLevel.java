@@ -2,6 +2,7 @@ package wbv.diagnosis.measured;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -22,11 +23,8 @@ public final class NoiseLevel {
     private static final double LOW = 0.25;
     private static final double HIGH = 0.37;
     private static final double BAND = 0.025;
-    /**
-     * How far the least of the 13 such bands up to the highest lies below their mean, in standard deviations (normal order statistics,
-     * Harter 1961).
-     */
-    private static final double LEAST = 1.668;
+    /** Standard deviations by which one band may be louder than the quietest and still hold no more than its noise. */
+    private static final double ALIKE = 4;
     /**
      * How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their
      * powers.
@@ -75,8 +73,8 @@ public final class NoiseLevel {
 
     /**
      * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
-     * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a
-     * recording is short.
+     * and no weaker than the rounding of the values. Bands that differ from the quietest by no more than chance
+     * are one noise.
      *
      * @param x by sample [unit of the channel]. Not modified.
      */
@@ -94,17 +92,19 @@ public final class NoiseLevel {
         return Math.min(bound(x), Math.max(quietest(left), rounding(x) / Math.sqrt(12)));
     }
 
+    /** That of the quietest band and of all that are no louder than chance makes bands of one noise. */
     private static double quietest(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
-        double least = Double.POSITIVE_INFINITY;
+        List<Double> powers = new ArrayList<>();
         for (double low = BAND; low + BAND <= HIGH; low += BAND) {
-            least = Math.min(least, between(x, low, low + BAND, block));
+            powers.add(Math.pow(between(x, low, low + BAND, block), 2));
         }
         int blocks = (x.length - block) / (block / 2) + 1;
         double lines = Math.max(1, BAND * block) / HANN;
         double scatter = MEDIAN / Math.sqrt(lines * blocks);
         double median = Math.pow(1 - 1 / (9 * lines), 3);   // of a power that so many lines make, over its mean (Wilson and Hilferty 1931)
-        return least * Math.sqrt(Math.exp(LEAST * scatter) / median);
+        double loudest = Collections.min(powers) * (1 + ALIKE * scatter);
+        return Math.sqrt(powers.stream().mapToDouble(power -> power).filter(power -> power <= loudest).average().orElseThrow() / median);
     }
 
     /** The least difference between two neighbouring samples that differ. */
