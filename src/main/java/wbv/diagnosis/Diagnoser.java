@@ -3,7 +3,6 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
@@ -14,11 +13,9 @@ import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.search.Calibration;
-import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.diagnosis.search.Whereabouts;
-import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /**
@@ -113,18 +110,9 @@ public final class Diagnoser {
         boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
         boolean louderLater = !evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced();
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
-        return louderLater ? louderLater() : loud ? searched() : Conclusion.of(hearingInput(Math.max(base.reduced(), heldOut)), List.of());
-    }
-
-    /** Knowing how noisy a rig's input is, where the little that is left may be that. */
-    private Inquiry hearingInput(double left) {
-        Map<Channel, Double> input = left < Refinement.SILENT ? Map.of() : inputLeft(base);
-        return input.isEmpty() ? inquiry : inquiry.knowing(input);
-    }
-
-    /** How noisy the sensors of a rig's input are by what a fit leaves. */
-    private Map<Channel, Double> inputLeft(Fitter.State fit) {
-        return evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
+        // The little that is left on a rig may be noise of its input.
+        boolean quiet = Math.max(base.reduced(), heldOut) < Refinement.SILENT;
+        return louderLater ? louderLater() : loud ? searched() : Conclusion.of(quiet ? inquiry : inquiry.hearingInput(base), List.of());
     }
 
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
@@ -191,11 +179,7 @@ public final class Diagnoser {
         return heard(leaders(where), where, Inquiry.SETTLING);
     }
 
-    /**
-     * The diagnosis where the noise of a rig's sensors is read from what the best hypothesis leaves.
-     *
-     * @param times that it may be read anew: what leaves less of one noise may not of another
-     */
+    /** With a rig's noise read, so many times at most, from what the best hypothesis leaves: what leaves less of one may not of another. */
     private Diagnosed heard(List<Fitter.State> leaders, Whereabouts where, int times) {
         Optional<Inquiry> quieter = times == 0 ? Optional.empty() : leaders.stream().findFirst().flatMap(inquiry::beside);
         return quieter.map(hearing -> new Diagnoser(hearing).heard(hearing.again(leaders), where, times - 1))
@@ -205,8 +189,8 @@ public final class Diagnoser {
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.stream().findFirst().orElse(base);
-        Map<Channel, Double> input = inputLeft(best);
-        return input.isEmpty() ? withForceLeft(leaders, best, where) : judged(inquiry.knowing(input), leaders);
+        Inquiry hearing = inquiry.hearingInput(best);
+        return hearing == inquiry ? withForceLeft(leaders, best, where) : judged(hearing, leaders);
     }
 
     /** The diagnosis with the force in the noise that the best hypothesis leaves, if that is a person's own. */

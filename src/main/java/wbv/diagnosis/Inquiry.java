@@ -13,6 +13,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SpectralLines;
+import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
@@ -65,9 +66,10 @@ final class Inquiry {
         return new Inquiry(evidence.with(force), baseline, progress);
     }
 
-    /** The same where the noise of inputs counts too, by their channel. */
-    Inquiry knowing(Map<Channel, Double> input) {
-        return new Inquiry(evidence.with(input), baseline, progress);
+    /** The same where the noise of a rig's input counts too, as far as a fit leaves it; itself where nothing shows any. */
+    Inquiry hearingInput(Fitter.State fit) {
+        Map<Channel, Double> levels = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
+        return levels.isEmpty() ? this : new Inquiry(evidence.with(levels), baseline, progress);
     }
 
     Evidence evidence() {

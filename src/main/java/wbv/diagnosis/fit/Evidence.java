@@ -1,19 +1,15 @@
 package wbv.diagnosis.fit;
 
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.SensorFault;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
-import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -21,11 +17,6 @@ import wbv.signal.LostSamples;
 
 /** What models are judged by: a recording as they see it, two windows, one to fit and one to prove, and what counts as noise. */
 public final class Evidence {
-
-    /** Length of a part that is tried first [s]. */
-    private static final double BRIEF = 36;
-    /** How many times as long the whole has to be for that to be worth it. */
-    private static final double WORTH_A_PART = 1.6;
 
     private final Measured measured;
     private final Excitation excitation;
@@ -218,19 +209,8 @@ public final class Evidence {
      * longer, or the ride has no such part. Time counts from its own start.
      */
     public Optional<Evidence> brief() {
-        return known.brief(this::shaken);
-    }
-
-    private Optional<Evidence> shaken() {
-        int n = (int) Math.round(BRIEF * recording().clock().rate());
-        if (onRig() || isLate() || Addition.byTheClock(model().assembly()) || fit().length() < WORTH_A_PART * n) {
-            return Optional.empty();
-        }
-        double[] ride = excitation.series(excitation.baseSpectrum());
-        int from = IntStream.iterate(0, at -> at + n <= fit().start() + fit().length(), at -> at + n / 4).boxed()
-                .max(Comparator.comparingDouble(at -> Motion.rms(Arrays.copyOfRange(ride, at, at + n), n))).orElseThrow();
-        Measured part = measured.part(from, n);
-        return Optional.of(new Evidence(part, part.input(), Windows.whole(part), sources, library, new ConcurrentHashMap<>()));
+        return known.brief(() -> ShakenPart.of(this)
+                .map(part -> new Evidence(part, part.input(), Windows.whole(part), sources, library, new ConcurrentHashMap<>())));
     }
 
     /**

@@ -71,31 +71,18 @@ public final class Measured {
         }
     }
 
-    private Measured(Measured like, int from, int length) {
-        model = like.model;
-        computed = like.computed;
-        recording = like.recording.part(from, from + length);
-        channels = like.channels;
-        input = Excitation.of(model, recording, length);
-        outputs = like.outputs.stream().map(output -> output.part(from, from + length)).toList();
-        sample = like.sample;
-        chosen = like.chosen;
-        split = length;
-        reading = like.reading;
-        noise = like.noise;
-    }
-
-    private Measured(Measured like, SensorNoise.Levels noise) {
-        model = like.model;
-        computed = like.computed;
-        recording = like.recording;
-        channels = like.channels;
-        input = like.input;
-        outputs = like.outputs;
-        sample = like.sample;
-        chosen = like.chosen;
-        split = like.split;
-        reading = like.reading;
+    private Measured(Measured like, Recording recording, Excitation input, List<MeasuredOutput> outputs, int split,
+            SensorNoise.Levels noise) {
+        this.model = like.model;
+        this.computed = like.computed;
+        this.recording = recording;
+        this.channels = like.channels;
+        this.input = input;
+        this.outputs = outputs;
+        this.sample = like.sample;
+        this.chosen = like.chosen;
+        this.split = split;
+        this.reading = like.reading;
         this.noise = noise;
     }
 
@@ -111,7 +98,9 @@ public final class Measured {
 
     /** A stretch of it, as if no more had been recorded; what is known of the sensors stays known. */
     public Measured part(int from, int length) {
-        return new Measured(this, from, length);
+        Recording stretch = recording.part(from, from + length);
+        return new Measured(this, stretch, Excitation.of(model, stretch, length),
+                outputs.stream().map(output -> output.part(from, from + length)).toList(), length, noise);
     }
 
     /**
@@ -127,7 +116,7 @@ public final class Measured {
         SensorNoise.Levels levels = reading.onRig(input, split, IntStream.range(0, read.length)
                 .mapToObj(o -> left(outputs.get(o), read[o])).toArray(double[][]::new));
         return IntStream.range(0, read.length).anyMatch(o -> levels.outputs()[o] < NOTICED * noise()[o])
-                ? Optional.of(new Measured(this, levels)) : Optional.empty();
+                ? Optional.of(new Measured(this, recording, input, outputs, split, levels)) : Optional.empty();
     }
 
     /** What is left of what is fitted. */

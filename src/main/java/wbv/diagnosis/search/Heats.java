@@ -38,7 +38,7 @@ final class Heats {
      * @param base   the fit on top of which the hypotheses stand
      * @param scores greatest first
      * @param where what is known of where the mismatch enters
-     * @return fits, least cost first, all in the same whitening
+     * @return fits that did not fail, least cost first, all in the same whitening
      */
     List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whereabouts where) {
         // Where the first mechanism leaves much, the second is as large as any first.
@@ -61,7 +61,7 @@ final class Heats {
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
         all.addAll(Parallel.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
-        return Trial.sorted(all);
+        return Trial.sorted(all).stream().filter(fit -> !fit.failed()).toList();
     }
 
     /**

@@ -47,7 +47,13 @@ public final class Screening {
      * @param gain reduction of χ² to first order [1]
      * @param x coordinates [1], one a knob, from which to refit
      */
-    public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {}
+    public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) {
+
+        /** Whether a fit on top of a base is one of this hypothesis, and has not got to what that promises yet. */
+        boolean promisesMore(Fitter.State base, Fitter.State fit) {
+            return fit.candidate().last().equals(hypothesis) && base.square() - fit.square() < gain;
+        }
+    }
 
     /**
      * Screens at a fit, modulators worked out where they are needed.

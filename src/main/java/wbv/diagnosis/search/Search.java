@@ -135,16 +135,14 @@ public final class Search {
         List<Screening.Score> scores = new Screening(evidence, base, motion)
                 .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where).stream().filter(fit -> !fit.failed())
-                .toList();
-        // A rival far behind does not come up by polishing.
+        List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where);
+        // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
         double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
-        int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
-        List<Fitter.State> rest = fits.subList(count, fits.size());
-        Optional<Fitter.State> promised = promised(base, rest, scores);
-        List<Fitter.State> out = new ArrayList<>(
-                Parallel.map(Stream.concat(fits.subList(0, count).stream(), promised.stream()).toList(), refinement::polish));
-        out.addAll(rest.stream().filter(fit -> promised.isEmpty() || fit != promised.get()).toList());
+        List<Fitter.State> chosen = IntStream.range(0, fits.size())
+                .filter(i -> i < polished && fits.get(i).reduced() <= reach || scores.get(0).promisesMore(base, fits.get(i)))
+                .mapToObj(fits::get).toList();
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polish));
+        fits.stream().filter(fit -> !chosen.contains(fit)).forEach(out::add);
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!evidence.onRig() && !out.isEmpty()) {
             double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
@@ -156,12 +154,6 @@ public final class Search {
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;
-    }
-
-    /** What promised most to first order, where it is not among the leaders only since its fit has not got there yet. */
-    private static Optional<Fitter.State> promised(Fitter.State base, List<Fitter.State> rest, List<Screening.Score> scores) {
-        return scores.stream().limit(1).flatMap(first -> rest.stream().filter(
-                fit -> fit.candidate().last().equals(first.hypothesis()) && base.square() - fit.square() < first.gain())).findFirst();
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
