@@ -83,8 +83,8 @@ final class Standing {
     }
 
     /**
-     * A single name that is likelier than what was found, and stands at no bound that nothing real has. Several together, which were
-     * weighed on data not used as well, give way to one only where they are no part of the answer.
+     * A single name that is likelier than what was found, with data not used as well, and stands at no bound that nothing real has. Several
+     * together give way to one only where they are no part of the answer.
      */
     private Optional<Fitter.State> likelier() {
         int parts = best.candidate().added().size();
@@ -92,8 +92,9 @@ final class Standing {
         if (parts == 0 || parts > 1 && (reading.isUnknown() || reading.claims().contains(found()))) {
             return Optional.empty();
         }
-        return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(Weight::isSingle).map(Weight::fit)
-                .filter(fit -> !Search.extreme(fit)).findFirst();
+        return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(Weight::isSingle)
+                .filter(weight -> !Search.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
+                .map(Weight::fit).findFirst();
     }
 
     /** What all this is about, with what was found as the best. */

@@ -150,10 +150,7 @@ class StandingTest {
         Fitter.State plain = leaving(11, Optional.empty());
         Fitter.State hardening = leaving(1.52, mechanism("stiffness.hardening"));
         Fitter.State straight = leaving(1.5, mechanism("contact.backlash"));
-        double[] x = straight.x().clone();
-        x[straight.candidate().stiffness(0).orElseThrow()] = Math.log(3);
-        Fitter.State play = new Fitter.State(straight.candidate(), x, straight.cost(), straight.square(), straight.raw(), straight.errors(),
-                straight.slopes(), straight.frame());
+        Fitter.State play = at(straight, straight.candidate().stiffness(0).orElseThrow(), Math.log(3));
         double costs = Math.log1p(Math.pow(Math.log(3) / Priors.USUAL.number(), 2));
         Standing standing = Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening)));
         assertEquals(hardening, standing.fits().best());
@@ -166,6 +163,27 @@ class StandingTest {
         // Alike in both, it decides nothing.
         assertEquals(straight,
                 Standing.of(new Fits(evidence, plain, plain, Chosen.single(straight), List.of(straight, hardening))).fits().best());
+    }
+
+    /** What the model's numbers speak for is not the answer where it foretells nothing of the data that were not used. */
+    @Test
+    void numbersDoNotDecideAgainstDataNotUsed() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State straight = leaving(1.5, mechanism("contact.backlash"));
+        Fitter.State play = at(straight, straight.candidate().stiffness(0).orElseThrow(), Math.log(3));
+        Fitter.State hardening = leaving(1.52, mechanism("stiffness.hardening"));
+        Fitter.State wild = at(hardening, hardening.candidate().positions(hardening.candidate().last())[0], 1e6);
+        Fits fits = new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, wild));
+        assertEquals(hardening, Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening))).fits().best());
+        assertEquals(play, Standing.of(fits).fits().best());
+        assertTrue(fits.isLikelier(hardening, 2) && !fits.isLikelier(hardening, -1000) && !fits.isLikelier(wild, 1000));
+    }
+
+    private static Fitter.State at(Fitter.State state, int number, double value) {
+        double[] x = state.x().clone();
+        x[number] = value;
+        return new Fitter.State(state.candidate(), x, state.cost(), state.square(), state.raw(), state.errors(), state.slopes(),
+                state.frame());
     }
 
     /** Rivals share what the first leaves them, in proportion; the found mechanism is none of them, however often it was fitted. */

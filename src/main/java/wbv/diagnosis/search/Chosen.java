@@ -29,8 +29,12 @@ public record Chosen(Fitter.State fit, double price) {
      * @param otherHeldOut likewise, of what the other does
      */
     public boolean outweighs(double heldOut, Chosen other, double otherHeldOut) {
-        double later = gain(heldOut, otherHeldOut);
-        return later > 0 && (gain(fit.reduced(), other.fit().reduced()) + later) / 2 > price - other.price();
+        return gain(heldOut, otherHeldOut) > 0 && evidence(heldOut, other, otherHeldOut) > price - other.price();
+    }
+
+    /** Logarithm of the evidence for it against another, but for their prices, by both kinds of data in the mean [nat]; as above. */
+    public double evidence(double heldOut, Chosen other, double otherHeldOut) {
+        return (gain(fit.reduced(), other.fit().reduced()) + gain(heldOut, otherHeldOut)) / 2;
     }
 
     private static double gain(double left, double otherLeft) {

@@ -31,6 +31,16 @@ public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fit
         return new Chosen(best, price);
     }
 
+    /**
+     * Whether a single mechanism is likelier than the best by data used and not used, and by the model's own numbers.
+     *
+     * @param numbers by how much these speak for it [nat]
+     */
+    public boolean isLikelier(Fitter.State single, double numbers) {
+        Refinement refinement = new Refinement(evidence);
+        return Chosen.single(single).evidence(refinement.heldOut(single), chosen(), refinement.heldOut(best)) + price + numbers > 0;
+    }
+
     /** The same with another best. */
     public Fits with(Fitter.State other) {
         return new Fits(evidence, given, base, other, price, leaders);
