@@ -33,14 +33,15 @@ public final class LawProof {
     }
 
     /**
-     * Whether a name leaves more than noise: then it may be another law, which only looks like it. On a rig, which is so little noisy that
-     * it shows what no formula has quite right, whether it leaves more than a right one may.
+     * Whether a name leaves more than noise: then it may be another law, which only looks like it. A rig is so little noisy that it shows
+     * what no formula has quite right: there a name is doubted that does not explain nearly all.
      */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && (named.evidence().onRig() ? leavesMuch(named) : named.best().reduced() > Refinement.SILENT);
+        return physics && named.best().reduced() > Refinement.SILENT
+                && !(named.evidence().onRig() && Refinement.explainsNearlyAll(named.base(), named.best()));
     }
 
     /**
