@@ -76,7 +76,7 @@ public final class Diagnoser {
         return ForceSign.in(question, evidence).map(turned -> examine(turned.question(), progress).saying(turned.sentence()))
                 .orElseGet(() -> {
                     Diagnosed found = run(Inquiry.of(evidence, progress));
-                    return new Learning(found.fits.evidence(), progress).completed(found);
+                    return Learning.completed(found, progress);
                 });
     }
 

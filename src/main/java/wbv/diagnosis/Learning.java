@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
@@ -31,7 +32,7 @@ final class Learning {
     private final Refinement refinement;
     private final BiConsumer<String, Double> progress;
 
-    Learning(Evidence evidence, BiConsumer<String, Double> progress) {
+    private Learning(Evidence evidence, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.search = new Search(evidence, progress);
         this.refinement = search.refinement();
@@ -46,8 +47,14 @@ final class Learning {
      * form. Beside a law that explains nearly all only a name that does so too is asked for its form: with enough terms any name can be
      * dressed up as that law.
      */
-    Diagnosed completed(Diagnosed found) {
-        Fits fits = found.fits;
+    static Diagnosed completed(Diagnosed found, BiConsumer<String, Double> progress) {
+        // A white noise of the input passes for whatever a form that is not quite right leaves: the form is asked first.
+        Evidence evidence = found.fits.evidence().with(Map.of());
+        return new Learning(evidence, progress).completed(found,
+                found.fits.evidence().heard().isEmpty() ? found.fits : found.fits.seen(evidence));
+    }
+
+    private Diagnosed completed(Diagnosed found, Fits fits) {
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();

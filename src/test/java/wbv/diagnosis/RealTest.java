@@ -19,6 +19,16 @@ class RealTest {
         assertTrue(row.error() <= 17, row.toString());
     }
 
+    /** Beside the spring the losses are learned: what a noise of the input would pass for. */
+    @Tag("slow")
+    @Test
+    void theSilverboxStiffensAndHasLossesOfItsOwn() throws IOException {
+        assumeTrue(RealRun.isThere(), "no recordings of others in " + RealRun.REAL);
+        RealRun.Row row = RealRun.silverbox().get(0);
+        assertTrue(row.named().equals("stiffness.hardening"), row.toString());
+        assertTrue(row.error() <= 0.26, row.toString());
+    }
+
     @Tag("slow")
     @Test
     void theCoupledDrivesSpeedSensorLosesTheSign() throws IOException {

@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 
@@ -29,6 +30,16 @@ public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fit
     /** The best, with what it costs. */
     public Chosen chosen() {
         return new Chosen(best, price);
+    }
+
+    /** The same on other evidence about the same data: what noise is there. */
+    public Fits seen(Evidence other) {
+        Refinement refinement = new Refinement(other);
+        Fitter fitter = new Fitter(other);
+        UnaryOperator<Fitter.State> look = fit -> fitter.lookWithSlopes(fit.candidate(), fit.x(),
+                fitter.frame(fit.candidate(), fit.x(), other.fit()));
+        return new Fits(other, look.apply(given), look.apply(base), best == base ? look.apply(base) : refinement.polish(best), price,
+                leaders.stream().map(look).toList());
     }
 
     /**
