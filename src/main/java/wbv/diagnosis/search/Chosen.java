@@ -33,7 +33,7 @@ public record Chosen(Fitter.State fit, double price) {
     }
 
     /** Logarithm of the evidence for it against another, but for their prices, by both kinds of data in the mean [nat]; as above. */
-    public double evidence(double heldOut, Chosen other, double otherHeldOut) {
+    double evidence(double heldOut, Chosen other, double otherHeldOut) {
         return (gain(fit.reduced(), other.fit().reduced()) + gain(heldOut, otherHeldOut)) / 2;
     }
 
