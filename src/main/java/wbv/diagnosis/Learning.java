@@ -13,6 +13,7 @@ import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.learn.Sentence;
 import wbv.diagnosis.learn.LawProof;
 import wbv.diagnosis.learn.LearnedWords;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
@@ -50,12 +51,13 @@ final class Learning {
     static Diagnosed completed(Diagnosed found, BiConsumer<String, Double> progress) {
         // A white noise of the input passes for whatever a form that is not quite right leaves: the form is asked first.
         Evidence evidence = found.fits.evidence().with(Map.of());
-        return new Learning(evidence, progress).completed(found,
-                found.fits.evidence().heard().isEmpty() ? found.fits : found.fits.seen(evidence));
+        boolean heard = !found.fits.evidence().heard().isEmpty();
+        boolean open = found.isUnexplained() || found.fits.best().candidate().added().stream().anyMatch(Hypothesis::isLaw);
+        return new Learning(evidence, progress).completed(found, heard && open ? found.fits.seen(evidence) : found.fits);
     }
 
     private Diagnosed completed(Diagnosed found, Fits fits) {
-        boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+        boolean refused = found.isUnexplained();
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();
         boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
