@@ -52,12 +52,16 @@ final class Learning {
         // A white noise of the input passes for whatever a form that is not quite right leaves: the form is asked first.
         Evidence evidence = found.fits.evidence().with(Map.of());
         boolean heard = !found.fits.evidence().heard().isEmpty();
-        boolean open = found.isUnexplained() || found.fits.best().candidate().added().stream().anyMatch(Hypothesis::isLaw);
+        boolean open = isRefused(found) || found.fits.best().candidate().added().stream().anyMatch(Hypothesis::isLaw);
         return new Learning(evidence, progress).completed(found, heard && open ? found.fits.seen(evidence) : found.fits);
     }
 
+    private static boolean isRefused(Diagnosed found) {
+        return found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+    }
+
     private Diagnosed completed(Diagnosed found, Fits fits) {
-        boolean refused = found.isUnexplained();
+        boolean refused = isRefused(found);
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();
         boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
