@@ -134,7 +134,7 @@ public final class Diagnoser {
     }
 
     private Whereabouts whereabouts() {
-        return Whereabouts.found(evidence, inquiry.baseline(), base.x());
+        return Whereabouts.found(evidence, base);
     }
 
     /** The diagnosis where all that is left is what a person does who sits still. */

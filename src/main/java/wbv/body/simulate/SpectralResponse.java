@@ -66,14 +66,14 @@ final class SpectralResponse {
                 inverse[j * n + i] = inverse[i * n + j];
             }
         }
-        double[] z = new double[2 * n * n];
-        for (int k = 0; k < lines && !s.held(); k++) {   // a body held at rest answers nothing
-            fill(s, stiffness, z, k);
-            invert(z, n);
+        LineMatrices z = new LineMatrices(n);
+        for (int first = 0; first < lines && !s.held(); first += LineMatrices.LINES) {   // a body held at rest answers nothing
+            int count = Math.min(LineMatrices.LINES, lines - first);
+            fill(s, stiffness, z, first, count);
+            z.invert();
             for (int i = 0; i < n; i++) {
                 for (int j = i; j < n; j++) {
-                    inverse[i * n + j][2 * k] = z[2 * (i * n + j)];
-                    inverse[i * n + j][2 * k + 1] = z[2 * (i * n + j) + 1];
+                    z.get(i, j, inverse[i * n + j], first, count);
                 }
             }
         }
@@ -85,62 +85,21 @@ final class SpectralResponse {
         return brakes.isPresent();
     }
 
-    private void fill(Structure structure, double[][] stiffness, double[] z, int k) {
-        int n = structure.bodies();
-        java.util.Arrays.fill(z, 0);
+    private void fill(Structure structure, double[][] stiffness, LineMatrices z, int first, int count) {
+        z.clear();
         for (int l = 0; l < structure.links(); l++) {
             Row row = structure.stretch(l);
-            double re = stiffness[l][2 * k];
-            double im = stiffness[l][2 * k + 1];
             for (int i = 0; i < row.at().length; i++) {
-                for (int j = 0; j < row.at().length; j++) {
-                    int entry = 2 * (row.at()[i] * n + row.at()[j]);
-                    double part = row.by()[i] * row.by()[j];
-                    z[entry] += part * re;
-                    z[entry + 1] += part * im;
+                for (int j = 0; j <= i; j++) {
+                    z.add(row.at()[i], row.at()[j], stiffness[l], row.by()[i] * row.by()[j], first, count);
                 }
             }
         }
-        for (int i = 0; i < n; i++) {
-            z[2 * (i * n + i)] -= omega[k] * omega[k] * structure.mass()[i];
-        }
-    }
-
-    /** Gauss-Jordan in place; the matrices here are diagonally strong and small, so the diagonal serves as pivot. */
-    private static void invert(double[] z, int n) {
-        for (int p = 0; p < n; p++) {
-            int d = 2 * (p * n + p);
-            double size = z[d] * z[d] + z[d + 1] * z[d + 1];
-            double re = z[d] / size;
-            double im = -z[d + 1] / size;
-            z[d] = 1;
-            z[d + 1] = 0;
-            for (int j = 0; j < n; j++) {
-                multiply(z, 2 * (p * n + j), re, im);
-            }
-            for (int i = 0; i < n; i++) {
-                int e = 2 * (i * n + p);
-                double fr = z[e];
-                double fi = z[e + 1];
-                if (i == p || fr == 0 && fi == 0) {
-                    continue;
-                }
-                z[e] = 0;
-                z[e + 1] = 0;
-                for (int j = 0; j < n; j++) {
-                    int source = 2 * (p * n + j);
-                    int target = 2 * (i * n + j);
-                    z[target] -= fr * z[source] - fi * z[source + 1];
-                    z[target + 1] -= fr * z[source + 1] + fi * z[source];
-                }
+        for (int i = 0; i < structure.bodies(); i++) {
+            for (int k = 0; k < count; k++) {
+                z.add(i, k, -omega[first + k] * omega[first + k] * structure.mass()[i]);
             }
         }
-    }
-
-    private static void multiply(double[] z, int at, double re, double im) {
-        double kept = z[at];
-        z[at] = kept * re - z[at + 1] * im;
-        z[at + 1] = kept * im + z[at + 1] * re;
     }
 
     /** Dynamic stiffness of a link as solved. Not a copy. */

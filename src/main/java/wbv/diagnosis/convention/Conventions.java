@@ -14,10 +14,16 @@ final class Conventions {
 
     private Conventions() {}
 
-    /** @param units whether units are in question, of the model too, and not signs and names alone */
+    /**
+     * Of the channels that the model has to do with, and of its numbers.
+     *
+     * @param units     whether units are in question, of the model too, and not signs and names alone
+     * @param modelsOwn whether the model's numbers are its user's: those of one that was fitted to a simulation hold whatever is read of
+     *                      what drove it, so that only its outputs are in question
+     */
     static List<Convention> of(Model model, Recording recording, boolean units, boolean modelsOwn) {
         // Of what no recording tells apart the first is named: a force, whose sign is anybody's choice, before a motion.
-        List<Channel> sensors = model.channels().stream()
+        List<Channel> sensors = (modelsOwn ? model.channels() : model.outputs()).stream()
                 .sorted(Comparator.comparing(channel -> channel.quantity() != Quantity.FORCE)).toList();
         List<Convention> all = new ArrayList<>();
         for (Channel channel : sensors) {

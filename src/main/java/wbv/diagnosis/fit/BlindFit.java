@@ -55,9 +55,9 @@ public final class BlindFit {
         this.off = nuisances.off(state.candidate());
         Simulator simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(simulator.equivalent(state.candidate().at(state.x())));
-        Columns slopes = new Columns(state.slopes());
-        this.gram = slopes.gram();
-        this.products = nuisances.columns().products(slopes);
+        SlopeProducts known = new SlopeProducts(state);
+        this.gram = known.gram();
+        this.products = known.withErrors();
     }
 
     /** Where all of it starts: coordinates [1], one a knob. Not a copy. */

@@ -54,12 +54,24 @@ final class Descent {
      * Where it ends.
      *
      * @param first with derivatives
-     * @param exact whether all of these were worked out there
      */
-    Fitter.State from(Fitter.State first, boolean exact) {
+    Fitter.State from(Fitter.State first) {
+        return from(first, true, Optional.empty());
+    }
+
+    /**
+     * The same where some of the derivatives were not worked out there.
+     *
+     * @param known products of those
+     */
+    Fitter.State from(Fitter.State first, SlopeProducts known) {
+        return from(first, false, Optional.of(Normal.of(first, known)));
+    }
+
+    private Fitter.State from(Fitter.State first, boolean exact, Optional<Normal> begun) {
         Fitter.State state = first;
         boolean fresh = exact;
-        Optional<Normal> earlier = Optional.empty();
+        Optional<Normal> earlier = begun;
         double damping = FIRST_DAMPING;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
             Fitter.State from = state;
@@ -73,9 +85,10 @@ final class Descent {
             }
             damping = better == from ? FIRST_DAMPING : Math.max(step.damping() / 8, LEAST_DAMPING);
             fresh = settled || !isApart(better.candidate());
-            earlier = fresh ? Optional.empty() : Optional.of(followed);
-            state = fresh ? residuals.withSlopes(better.candidate(), better.x(), better.frame(), bends)
-                    : better.candidate().added().isEmpty() ? better : residuals.renewed(better, bends);
+            earlier = fresh ? Optional.empty() : Optional.of(followed.settled());
+            state = earlier.map(Normal::state)
+                    .map(known -> known.candidate().added().isEmpty() ? known : residuals.renewed(known, bends))
+                    .orElseGet(() -> residuals.withSlopes(better.candidate(), better.x(), better.frame(), bends));
         }
         return state;
     }

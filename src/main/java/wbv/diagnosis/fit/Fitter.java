@@ -16,6 +16,8 @@ public final class Fitter {
     private final Evidence evidence;
     private final FreeRuns runs;
     private final Residuals residuals;
+    /** Of the fit on which others stood last. */
+    private Optional<SlopeProducts> products = Optional.empty();
 
     /** Fits on the evidence's fit window. */
     public Fitter(Evidence evidence) {
@@ -177,7 +179,10 @@ public final class Fitter {
      * @param tolerance relative gain below which a fit ends
      */
     public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        return fit(candidate, start, frame, Residuals.NO_SLOPES, most, tolerance);
+        return runs.of(candidate, start, Sensitivities.ALL, Optional.empty()).map(begun -> {
+            State first = residuals.withSlopes(candidate, start.clone(), frame, begun, Residuals.NO_SLOPES);
+            return ended(first, new Descent(residuals, begun.bends(), most, tolerance).from(first), begun);
+        }).orElseGet(() -> State.failed(candidate, start, frame));
     }
 
     /**
@@ -187,17 +192,25 @@ public final class Fitter {
      * @param base at the numbers where it begins
      */
     public State fit(Candidate candidate, double[] start, State base, int most, double tolerance) {
-        return fit(candidate, start, base.frame(), Descent.isApart(candidate) ? base.slopes() : Residuals.NO_SLOPES, most, tolerance);
+        if (base.slopes().length == 0 || !Descent.isApart(candidate)) {
+            return fit(candidate, start, base.frame(), most, tolerance);
+        }
+        return runs.of(candidate, start, Sensitivities.OWN, Optional.empty()).map(begun -> {
+            State first = residuals.withSlopes(candidate, start.clone(), base.frame(), begun, base.slopes());
+            return first.failed() ? first
+                    : ended(first, new Descent(residuals, begun.bends(), most, tolerance).from(first, productsOf(base)), begun);
+        }).orElseGet(() -> State.failed(candidate, start, base.frame()));
     }
 
-    /** @param known derivatives to the first of the numbers; to none: they are worked out */
-    private State fit(Candidate candidate, double[] start, Frame frame, double[][] known, int most, double tolerance) {
-        boolean exact = known.length == 0;
-        return runs.of(candidate, start, exact ? Sensitivities.ALL : Sensitivities.OWN, Optional.empty()).map(begun -> {
-            State first = residuals.withSlopes(candidate, start.clone(), frame, begun, known);
-            State last = new Descent(residuals, begun.bends(), most, tolerance).from(first, exact);
-            return begun.bends().isEmpty() || runs.areHeld() || last == first ? last : better(first, last);
-        }).orElseGet(() -> State.failed(candidate, start, frame));
+    /** Products of a fit's derivatives, found once for all that stands on it. */
+    private synchronized SlopeProducts productsOf(State base) {
+        SlopeProducts found = products.filter(known -> known.isOf(base)).orElseGet(() -> new SlopeProducts(base));
+        products = Optional.of(found);
+        return found;
+    }
+
+    private State ended(State first, State last, Simulator.Response begun) {
+        return begun.bends().isEmpty() || runs.areHeld() || last == first ? last : better(first, last);
     }
 
     /** The last of a fit with what goes beyond small motions found anew, if it is better than the first so. */
@@ -215,7 +228,7 @@ public final class Fitter {
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         return runs.of(candidate, start, Sensitivities.ALL, Optional.empty())
                 .map(begun -> new Descent(residuals, begun.bends(), most, tolerance)
-                        .from(residuals.withSlopes(candidate, start.clone(), frame, begun, Residuals.NO_SLOPES), true))
+                        .from(residuals.withSlopes(candidate, start.clone(), frame, begun, Residuals.NO_SLOPES)))
                 .orElseGet(() -> State.failed(candidate, start, frame));
     }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.CorrectedColumns;
 import wbv.diagnosis.algebra.DampedEquations;
 import wbv.signal.ScalarProduct;
 
@@ -16,6 +17,8 @@ public final class Normal {
     private static final double LONGEST_UNITS = 3;
 
     private final Fitter.State state;
+    /** Derivatives, which are the state's but for what was added to them since. */
+    private final CorrectedColumns slopes;
     private final Projection projection;
     private final double[][] products;
     private final double[][] gram;
@@ -28,30 +31,43 @@ public final class Normal {
      * @param state with its derivatives
      */
     public Normal(Fitter.State state) {
-        this(state, new Projection(state));
+        this(state, new Columns(state.slopes()), new Projection(state));
     }
 
-    private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, new Columns(state.slopes()));
+    private Normal(Fitter.State state, Columns slopes, Projection projection) {
+        this(state, new CorrectedColumns(slopes), projection, projection.products(slopes), slopes.gram());
     }
 
-    private Normal(Fitter.State state, Projection projection, Columns slopes) {
-        this(state, projection, projection.products(slopes), slopes.gram());
-    }
-
-    private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {
+    private Normal(Fitter.State state, CorrectedColumns slopes, Projection projection, double[][] products, double[][] gram) {
         this.state = state;
+        this.slopes = slopes;
         this.projection = projection;
         this.products = products;
         this.gram = gram;
-        int n = products.length;
-        gradient = new double[n];
         curvature = curvature(state.candidate(), gram, products, projection::errors);
-        double[] residual = state.residual();
-        for (int i = 0; i < n; i++) {
+        gradient = slopes.products(state.residual());
+        for (int i = 0; i < gradient.length; i++) {
             double deviation = state.candidate().knobs().get(i).deviation();
-            gradient[i] = ScalarProduct.of(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
+            gradient[i] += state.x()[i] / (deviation * deviation);
         }
+    }
+
+    /**
+     * The same where most derivatives are those of another state of the same frame, whose products are known.
+     *
+     * @param known of the first of the coordinates
+     */
+    static Normal of(Fitter.State state, SlopeProducts known) {
+        Projection projection = new Projection(state);
+        int n = state.slopes().length;
+        double[][] theirs = new double[n][];
+        double[][] all = new double[n][n];
+        for (int i = 0; i < known.count(); i++) {
+            theirs[i] = projection.ofFree(known.withErrors(i));
+            System.arraycopy(known.gram(i), 0, all[i], 0, known.count());
+        }
+        return renewed(state, projection, theirs, all,
+                IntStream.range(0, n).filter(i -> i >= known.count() || state.slopes()[i] != known.slope(i)).toArray());
     }
 
     /**
@@ -79,7 +95,6 @@ public final class Normal {
     /** The same at another state, whose derivatives are these, corrected along the way by what the residual did (Broyden 1965). */
     Normal followed(Fitter.State next) {
         int n = products.length;
-        double[][] slopes = state.slopes();
         double[] change = next.raw().clone();
         double[] moved = new double[n];
         double[] weight = new double[n];
@@ -88,68 +103,78 @@ public final class Normal {
             moved[i] = next.x()[i] - state.x()[i];
             length += moved[i] * moved[i] * gram[i][i];
         }
+        for (int i = 0; i < n; i++) {
+            weight[i] = length > 0 ? moved[i] * gram[i][i] / length : 0;
+        }
         for (int k = 0; k < change.length; k++) {
             change[k] -= state.raw()[k];
         }
-        for (int i = 0; i < n; i++) {
-            weight[i] = length > 0 ? moved[i] * gram[i][i] / length : 0;
-            add(change, slopes[i], -moved[i]);
+        slopes.subtract(moved, change);
+        CorrectedColumns corrected = slopes.plus(change, weight);
+        if (!projection.suits(next)) {
+            return new Normal(next.withSlopes(corrected.sums()));
         }
-        double[][] corrected = new double[n][];
-        double[] along = new double[n];
-        for (int i = 0; i < n; i++) {
-            along[i] = ScalarProduct.of(slopes[i], change);
-            corrected[i] = slopes[i].clone();
-            add(corrected[i], change, weight[i]);
-        }
-        Fitter.State there = next.withSlopes(corrected);
-        if (!projection.suits(there)) {
-            return new Normal(there);
-        }
+        double[] along = slopes.products(change);
         double square = ScalarProduct.of(change, change);
         double[] shared = projection.products(change);
         double[][] theirs = new double[n][];
-        double[][] grown = new double[n][n];
+        double[][] all = new double[n][n];
         for (int i = 0; i < n; i++) {
-            theirs[i] = products[i].clone();
-            add(theirs[i], shared, weight[i]);
+            double own = weight[i];
+            double[] earlier = products[i];
+            theirs[i] = new double[shared.length];
+            Arrays.setAll(theirs[i], e -> earlier[e] + own * shared[e]);
             for (int j = 0; j < n; j++) {
-                grown[i][j] = gram[i][j] + weight[j] * along[i] + weight[i] * along[j] + weight[i] * weight[j] * square;
+                all[i][j] = gram[i][j] + weight[j] * along[i] + weight[i] * along[j] + weight[i] * weight[j] * square;
             }
         }
-        return new Normal(there, projection, theirs, grown);
+        return new Normal(next.withSlopes(state.slopes()), corrected, projection, theirs, all);
     }
 
-    /** The same at the same place, of derivatives of which some are new: those that are other arrays than these. */
-    Normal renewed(Fitter.State next) {
-        int n = products.length;
-        int[] fresh = IntStream.range(0, n).filter(i -> next.slopes()[i] != state.slopes()[i]).toArray();
-        if (!projection.suits(next)) {
-            return new Normal(next);
+    /** The same with the derivatives of their state as they have been corrected, which takes as long as a step. */
+    Normal settled() {
+        if (slopes.isPlain()) {
+            return this;
         }
-        Columns slopes = new Columns(next.slopes());
+        double[][] sums = slopes.sums();
+        return new Normal(state.withSlopes(sums), new CorrectedColumns(new Columns(sums)), projection, products, gram);
+    }
+
+    /**
+     * The same at the same place, of derivatives of which some are new: those that are other arrays than these.
+     *
+     * @param next of equations that are {@link #settled}
+     */
+    Normal renewed(Fitter.State next) {
+        return projection.suits(next)
+                ? renewed(next, projection, products.clone(), Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new),
+                        IntStream.range(0, products.length).filter(i -> next.slopes()[i] != state.slopes()[i]).toArray())
+                : new Normal(next);
+    }
+
+    /**
+     * With some products found.
+     *
+     * @param products those that are known, filled in
+     * @param gram     likewise
+     * @param fresh    of which derivatives none is known
+     */
+    private static Normal renewed(Fitter.State state, Projection projection, double[][] products, double[][] gram, int[] fresh) {
+        Columns slopes = new Columns(state.slopes());
         Columns columns = slopes.only(fresh);
-        double[][] theirs = products.clone();
-        double[][] all = Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new);
         double[][] own = projection.products(columns);
         double[][] with = slopes.products(columns);
         for (int k = 0; k < fresh.length; k++) {
-            theirs[fresh[k]] = own[k];
-            for (int i = 0; i < n; i++) {
-                all[fresh[k]][i] = with[k][i];
-                all[i][fresh[k]] = with[k][i];
+            products[fresh[k]] = own[k];
+            for (int i = 0; i < gram.length; i++) {
+                gram[fresh[k]][i] = with[k][i];
+                gram[i][fresh[k]] = with[k][i];
             }
         }
-        return new Normal(next, projection, theirs, all);
+        return new Normal(state, new CorrectedColumns(slopes), projection, products, gram);
     }
 
-    private static void add(double[] target, double[] source, double factor) {
-        for (int i = 0; i < target.length && factor != 0; i++) {
-            target[i] += factor * source[i];
-        }
-    }
-
-    /** Where these equations stand. */
+    /** Where these equations stand; its derivatives are theirs once they are {@link #settled}. */
     Fitter.State state() {
         return state;
     }

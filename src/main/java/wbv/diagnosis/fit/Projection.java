@@ -41,6 +41,11 @@ public final class Projection {
         return columns.products(vector);
     }
 
+    /** Of products with all errors those with errors that are free. */
+    double[] ofFree(double[] products) {
+        return Arrays.stream(free).mapToDouble(i -> products[i]).toArray();
+    }
+
     /** The same of several, by vector. */
     double[][] products(Columns vectors) {
         return columns.products(vectors);

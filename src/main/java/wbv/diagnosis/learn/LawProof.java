@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
@@ -34,14 +35,16 @@ public final class LawProof {
 
     /**
      * Whether a name leaves more than noise: then it may be another law, which only looks like it. A rig is so little noisy that it shows
-     * what no formula has quite right: there a name is doubted that does not explain nearly all.
+     * what no formula has quite right, and what stands for a simulation carries a law not quite as that would: there a name is doubted that
+     * does not explain nearly all.
      */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
         return physics && named.best().reduced() > Refinement.SILENT
-                && !(named.evidence().onRig() && Refinement.explainsNearlyAll(named.base(), named.best()));
+                && !((named.evidence().onRig() || named.evidence().standsForSimulation())
+                        && Refinement.explainsNearlyAll(named.base(), named.best()));
     }
 
     /**
@@ -71,9 +74,9 @@ public final class LawProof {
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
         double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
-        return sentences.stream().filter(Sentence::shows).limit(HELD_OUT)
-                .filter(sentence -> sentence.fit().reduced() < reach)
-                .map(sentence -> sentence.fitted(search.refinement().polish(sentence.fit())))
+        List<Sentence> near = sentences.stream().filter(Sentence::shows).limit(HELD_OUT)
+                .filter(sentence -> sentence.fit().reduced() < reach).toList();
+        return Parallel.map(near, sentence -> sentence.fitted(search.refinement().polish(sentence.fit()))).stream()
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
                     return evident && (correction && evidence.onRig() ? foretells(sentence.fit(), than)

@@ -193,7 +193,7 @@ public final class PairSearch {
         if (!Double.isFinite(first.cost())) {
             return Optional.empty();   // a run that left all bounds has nothing to be found beside it
         }
-        return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners))
+        return search.best(first, Whereabouts.found(evidence, first).only(partners))
                 .map(fit -> new Chosen(fit, price(partners)));
     }
 

@@ -84,18 +84,27 @@ public final class Whereabouts {
      * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force,
      * which nobody knows yet, may be what makes one body look better than all other places.
      *
-     * @param baseline what may explain a part of the mismatch already
-     * @param x of that as it was fitted: coordinates [1], one a knob. Not modified.
+     * @param base what was fitted, and may explain a part of the mismatch already. Kept and not modified.
      */
-    public static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
+    public static Whereabouts found(Evidence evidence, Fitter.State base) {
+        Candidate baseline = base.candidate();
         if (evidence.onRig()) {
             return beside(evidence, baseline, Places.of(List.of(), true));
         }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
-        return part.map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(x), true)))
+        return part.filter(brief -> shows(brief, base))
+                .map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(base.x()), true)))
                 .filter(Whereabouts::hold)
-                .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(x), part.isEmpty())));
+                .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(base.x()), part.isEmpty())));
+    }
+
+    /**
+     * Whether the model fitted to a part of the data leaves there about as much as it does of all: what changes at a moment need not be in
+     * it, and then every place would do.
+     */
+    private static boolean shows(Evidence part, Fitter.State base) {
+        return Refinement.excess(base.reduced()) < NEAR * Refinement.excess(fitted(part, base.candidate(), base.x()).reduced());
     }
 
     private static Whereabouts beside(Evidence evidence, Candidate baseline, Places places) {

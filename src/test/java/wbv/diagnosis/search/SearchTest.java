@@ -36,7 +36,7 @@ class SearchTest {
         }
 
         Whereabouts where() {
-            return Whereabouts.found(evidence, baseline, base.x());
+            return Whereabouts.found(evidence, base);
         }
 
         List<Fitter.State> leaders() {

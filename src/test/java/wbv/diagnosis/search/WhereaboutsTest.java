@@ -64,7 +64,7 @@ class WhereaboutsTest {
         Evidence evidence = new Evidence(model, made.recording());
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = new Search(evidence, (step, share) -> {}).base(baseline);
-        return new Asked(evidence, baseline, base, Whereabouts.found(evidence, baseline, base.x()),
+        return new Asked(evidence, baseline, base, Whereabouts.found(evidence, base),
                 new ObjectMapper().readTree(made.key()));
     }
 
@@ -164,6 +164,6 @@ class WhereaboutsTest {
         Evidence evidence = new Evidence(model, new RecordingFile(shipped.resolve("recording.csv.gz")).load());
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = new Search(evidence, (step, share) -> {}).base(baseline);
-        assertFalse(Whereabouts.found(evidence, baseline, base.x()).ownForce().isPresent());
+        assertFalse(Whereabouts.found(evidence, base).ownForce().isPresent());
     }
 }
