@@ -30,8 +30,6 @@ final class Unshared {
     private static final double OWN = 1 / (1 + 2 * (4.0 / 9 + 1.0 / 36));
     /** So seldom sensors that share nothing seem to share something. */
     private static final double CHANCE = 1e-4;
-    /** Standard deviations by which one band may be noisier than another and still hold no more than noise. */
-    private static final double ALIKE = 4;
 
     private final SpectralMatrix spectra;
     private final double low;
@@ -82,7 +80,7 @@ final class Unshared {
         double sum = 0;
         double weight = 0;
         for (double[] band : bands) {
-            if (band[0] <= least * (1 + ALIKE / Math.sqrt(band[1]))) {
+            if (band[0] <= least * (1 + NoiseLevel.ALIKE / Math.sqrt(band[1]))) {
                 sum += band[0] * band[1];
                 weight += band[1];
             }

@@ -34,11 +34,11 @@ public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fit
 
     /** The same on other evidence about the same data: what noise is there. */
     public Fits seen(Evidence other) {
-        Refinement refinement = new Refinement(other);
         Fitter fitter = new Fitter(other);
-        UnaryOperator<Fitter.State> look = fit -> fitter.lookWithSlopes(fit.candidate(), fit.x(),
-                fitter.frame(fit.candidate(), fit.x(), other.fit()));
-        return new Fits(other, look.apply(given), look.apply(base), best == base ? look.apply(base) : refinement.polish(best), price,
+        Fitter.Frame frame = fitter.frame(base.candidate(), base.x(), other.fit());
+        UnaryOperator<Fitter.State> look = fit -> fitter.look(fit.candidate(), fit.x(), frame);
+        Fitter.State fitted = fitter.lookWithSlopes(base.candidate(), base.x(), frame);
+        return new Fits(other, look.apply(given), fitted, best == base ? fitted : new Refinement(other).polish(best), price,
                 leaders.stream().map(look).toList());
     }
 

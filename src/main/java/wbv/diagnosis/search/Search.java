@@ -138,9 +138,8 @@ public final class Search {
         List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where);
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
         double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
-        List<Fitter.State> chosen = IntStream.range(0, fits.size())
-                .filter(i -> i < polished && fits.get(i).reduced() <= reach || scores.get(0).promisesMore(base, fits.get(i)))
-                .mapToObj(fits::get).toList();
+        List<Fitter.State> ahead = fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).toList();
+        List<Fitter.State> chosen = fits.stream().filter(fit -> ahead.contains(fit) || scores.get(0).promisesMore(base, fit)).toList();
         List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polish));
         fits.stream().filter(fit -> !chosen.contains(fit)).forEach(out::add);
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));

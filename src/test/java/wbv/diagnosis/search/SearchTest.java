@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -66,6 +67,7 @@ class SearchTest {
     void aStepIsNotLookedForInAPart() throws Exception {
         Asked asked = asked("drift.step", 6227120087486066153L).knowing();
         assertTrue(Refinement.bent(asked.base()), "the model alone has to have gone far");
+        assertFalse(asked.where().inPart(), "the part would show every place as good as any");
         Fitter.State first = asked.leaders().get(0);
         assertEquals("drift.step at " + asked.place(), first.candidate().last().mechanism() + " at " + first.candidate().last().where(),
                 "leaves " + first.reduced());
