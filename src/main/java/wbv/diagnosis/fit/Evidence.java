@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.SensorFault;
@@ -81,9 +83,14 @@ public final class Evidence {
 
     /** Whether the model stands for a simulation that gave more than it does. */
     public boolean standsForSimulation() {
+        return !beside().isEmpty();
+    }
+
+    /** Channels of the recording that hold what a simulation gave beside the model, and nobody measured. */
+    public Set<Channel> beside() {
         return Stream.concat(model().bodies().stream().map(Model.Body::faults), model().sensors().stream().map(Model.Sensor::faults))
-                .flatMap(List::stream)
-                .anyMatch(SensorFault.Beside.class::isInstance);
+                .flatMap(List::stream).filter(SensorFault.Beside.class::isInstance).map(fault -> ((SensorFault.Beside) fault).channel())
+                .collect(Collectors.toSet());
     }
 
     /** What is judged by: a fast one of a sitter brought to about 60 Hz, any other as it was read. */

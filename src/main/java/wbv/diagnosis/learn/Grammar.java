@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -141,7 +142,8 @@ final class Grammar {
 
     private List<Modulator> modulators() {
         List<Modulator> out = new ArrayList<>();
-        for (Channel channel : evidence.recording().channels()) {
+        Set<Channel> unmeasured = evidence.beside();
+        for (Channel channel : evidence.recording().channels().stream().filter(each -> !unmeasured.contains(each)).toList()) {
             boolean across = channel.axis() != evidence.model().axis();
             if (across && channel.quantity() == Quantity.ACCELERATION) {
                 out.add(new Modulator.Measured(channel));

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.Random;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
@@ -25,6 +26,7 @@ import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Predicted;
+import wbv.diagnosis.fit.Evidence;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
@@ -93,6 +95,8 @@ class SurrogateTest {
         Surrogate found = of(recording, simulation(truth));
         assertEquals(List.of(Channel.parse("head.acc.z")), found.model().outputs());
         assertEquals(3, found.errors().size());
+        // What it gave beside the model is in the recording that is asked of then, and was not measured.
+        assertEquals(Set.of(Channel.parse("head_beside.acc.z")), new Evidence(found.model(), found.recording()).beside());
     }
 
     @Test
