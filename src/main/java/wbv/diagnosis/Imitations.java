@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -21,6 +22,7 @@ import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.OddSensor;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Screening;
@@ -115,8 +117,10 @@ final class Imitations {
         Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
         Whereabouts where = Whereabouts.anywhere(evidence, base.candidate())
                 .only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
-        List<Fitter.State> fits = Stream.concat(imitated.stream(),
-                search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit))).toList();
+        // A sensor that is later than sensors scatter looks like a memory, and a fit takes it for small errors of several.
+        List<Fitter.State> fits = Stream.of(imitated.stream(), new OddSensor(evidence, refinement).in(base).stream(),
+                search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit)))
+                .flatMap(Function.identity()).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
         // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says

@@ -7,23 +7,35 @@ import java.util.stream.IntStream;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.mechanism.Addition;
 
-/** The part of a ride in which a person is shaken hardest, to try on it what may not be worth the whole. */
+/**
+ * A part of a ride to try on it what may not be worth the whole: of a person's that in which he is shaken hardest, of a rig's its
+ * beginning, before which it was at rest or where its first motion is fitted.
+ */
 final class ShakenPart {
 
-    /** Its length [s]. */
+    /** Its length on a sitter's ride [s], and of a rig's in periods of its slowest mode: as many as a sitter's of 4 Hz are then. */
     private static final double BRIEF = 36;
+    private static final double PERIODS = 144;
+    /** Samples of a rig's at least: as many as a sitter's at 60 Hz. */
+    private static final int SAMPLES = 2160;
     /** How many times as long the whole has to be for that to be worth it. */
     private static final double WORTH_A_PART = 1.6;
 
     private ShakenPart() {}
 
-    /** Of what is fitted; empty where that is hardly longer, goes by the clock, or is a rig's. */
+    /** Of what is fitted; empty where that is hardly longer, goes by the clock, or is of driven links. */
     static Optional<Measured> of(Evidence evidence) {
-        int n = (int) Math.round(BRIEF * evidence.recording().clock().rate());
+        int n = length(evidence);
         Window fit = evidence.fit();
-        boolean whole = evidence.onRig() || evidence.isLate() || Addition.byTheClock(evidence.model().assembly())
+        boolean whole = evidence.isLate() || evidence.model().driven() || Addition.byTheClock(evidence.model().assembly())
                 || fit.length() < WORTH_A_PART * n;
-        return whole ? Optional.empty() : Optional.of(evidence.measured().part(hardest(evidence, n), n));
+        return whole ? Optional.empty() : Optional.of(evidence.measured().part(evidence.onRig() ? 0 : hardest(evidence, n), n));
+    }
+
+    private static int length(Evidence evidence) {
+        double rate = evidence.recording().clock().rate();
+        double periods = evidence.model().assembly().structure().slowestMode().stream().map(f -> PERIODS * rate / f).findFirst().orElse(0);
+        return evidence.onRig() ? (int) Math.max(SAMPLES, periods) : (int) Math.round(BRIEF * rate);
     }
 
     private static int hardest(Evidence evidence, int length) {

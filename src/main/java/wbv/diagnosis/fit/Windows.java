@@ -31,8 +31,7 @@ public record Windows(Window fit, Window heldOut) {
         int n = measured.recording().length();
         int split = measured.split();
         double rate = measured.recording().clock().rate();
-        double settling = measured.onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate;
-        int start = measured.model().driven() ? 0 : (int) Math.round(settling);
+        int start = start(measured);
         int proof = measured.isChosen() ? split + start : split;   // another ride begins with what nobody saw before it
         return measured.onRig() ? new Windows(new Window(start, split - start, rate, 0), new Window(proof, n - proof, rate, 0))
                 : new Windows(new Window(start, split - start, rate), toEnd(proof, measured)).counted(measured);
@@ -47,12 +46,16 @@ public record Windows(Window fit, Window heldOut) {
 
     /** Fitted in all there is, which proves nothing then. */
     static Windows whole(Measured measured) {
-        Window all = toEnd(start(measured), measured);
+        int start = start(measured);
+        Window all = measured.onRig()
+                ? new Window(start, measured.recording().length() - start, measured.recording().clock().rate(), 0) : toEnd(start, measured);
         return new Windows(all, all);
     }
 
     private static int start(Measured measured) {
-        return (int) Math.round(SETTLING * measured.recording().clock().rate());
+        double settling = SETTLING * measured.recording().clock().rate();
+        return measured.model().driven() ? 0
+                : (int) Math.round(measured.onRig() ? Math.min(settling, SETTLING_SHARE * measured.recording().length()) : settling);
     }
 
     private static Window toEnd(int from, Measured measured) {
