@@ -1,7 +1,6 @@
 package wbv.body.simulate;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 
 /**
  * Complex symmetric matrices at neighbouring spectral lines, to be inverted together: an entry is a run of numbers, one a line, so that a
@@ -11,15 +10,15 @@ import java.util.stream.IntStream;
  */
 final class LineMatrices {
 
-    /** Lines that are taken together: a matrix of a dozen rows then fits the nearest cache. */
+    /** Lines that are taken together: those of a dozen rows, 20 kB, then fit a nearest cache of 32 kB. */
     static final int LINES = 16;
 
     private final int rows;
     /** Real and imaginary parts by entry and line. */
     private final double[][] re;
     private final double[][] im;
-    /** Entries that are 0 at all lines so far. */
-    private final boolean[] empty;
+    /** Entries that something was added to; the others are 0 at all lines. */
+    private final boolean[] filled;
     private final double[] pivotRe = new double[LINES];
     private final double[] pivotIm = new double[LINES];
     private final double[] factorRe = new double[LINES];
@@ -31,17 +30,16 @@ final class LineMatrices {
         int entries = rows * (rows + 1) / 2;
         re = new double[entries][LINES];
         im = new double[entries][LINES];
-        empty = new boolean[entries];
-        clear();
+        filled = new boolean[entries];
     }
 
     /** Makes all of them 0. */
     void clear() {
-        IntStream.range(0, empty.length).forEach(entry -> {
+        for (int entry = 0; entry < re.length; entry++) {
             Arrays.fill(re[entry], 0);
             Arrays.fill(im[entry], 0);
-        });
-        Arrays.fill(empty, true);
+        }
+        Arrays.fill(filled, false);
     }
 
     /** Where an entry and its mirror image stand. */
@@ -59,7 +57,7 @@ final class LineMatrices {
      */
     void add(int i, int j, double[] spectrum, double factor, int first, int count) {
         int entry = at(i, j);
-        empty[entry] = false;
+        filled[entry] = true;
         for (int k = 0; k < count; k++) {
             re[entry][k] += factor * spectrum[2 * (first + k)];
             im[entry][k] += factor * spectrum[2 * (first + k) + 1];
@@ -69,7 +67,7 @@ final class LineMatrices {
     /** Adds the same to an entry at a line, real. */
     void add(int i, int line, double value) {
         int entry = at(i, i);
-        empty[entry] = false;
+        filled[entry] = true;
         re[entry][line] += value;
     }
 
@@ -112,15 +110,15 @@ final class LineMatrices {
         }
         for (int i = 0; i < rows; i++) {
             int own = at(i, p);
-            if (i == p || empty[own]) {
+            if (i == p || !filled[own]) {
                 continue;
             }
             product(re[own], im[own], pivotRe, pivotIm, factorRe, factorIm);
             for (int j = i; j < rows; j++) {
                 int other = at(j, p);
-                if (j != p && !empty[other]) {
+                if (j != p && filled[other]) {
                     int target = at(i, j);
-                    empty[target] = false;
+                    filled[target] = true;
                     subtractProduct(factorRe, factorIm, re[other], im[other], re[target], im[target]);
                 }
             }

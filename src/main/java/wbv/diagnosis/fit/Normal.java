@@ -63,8 +63,8 @@ public final class Normal {
         double[][] theirs = new double[n][];
         double[][] all = new double[n][n];
         for (int i = 0; i < known.count(); i++) {
-            theirs[i] = projection.ofFree(known.withErrors(i));
-            System.arraycopy(known.gram(i), 0, all[i], 0, known.count());
+            theirs[i] = projection.ofFree(known.withErrors()[i]);
+            System.arraycopy(known.gram()[i], 0, all[i], 0, known.count());
         }
         return renewed(state, projection, theirs, all,
                 IntStream.range(0, n).filter(i -> i >= known.count() || state.slopes()[i] != known.slope(i)).toArray());

@@ -13,11 +13,12 @@ import wbv.diagnosis.mechanism.Addition;
  */
 final class ShakenPart {
 
-    /** Its length on a sitter's ride [s], and of a rig's in periods of its slowest mode: as many as a sitter's of 4 Hz are then. */
+    /** Its length on a sitter's ride [s]. */
     private static final double BRIEF = 36;
-    private static final double PERIODS = 144;
-    /** Samples of a rig's at least: as many as a sitter's at 60 Hz. */
-    private static final int SAMPLES = 2160;
+    /** Its length of a rig's in periods of the slowest mode: as many as a sitter's ride has of his, which is one of about 4 Hz. */
+    private static final double PERIODS = 4 * BRIEF;
+    /** Samples of a rig's at least: as many as a sitter's has at 60 Hz. */
+    private static final double SAMPLES = 60 * BRIEF;
     /** How many times as long the whole has to be for that to be worth it. */
     private static final double WORTH_A_PART = 1.6;
 
@@ -34,8 +35,10 @@ final class ShakenPart {
 
     private static int length(Evidence evidence) {
         double rate = evidence.recording().clock().rate();
-        double periods = evidence.model().assembly().structure().slowestMode().stream().map(f -> PERIODS * rate / f).findFirst().orElse(0);
-        return evidence.onRig() ? (int) Math.max(SAMPLES, periods) : (int) Math.round(BRIEF * rate);
+        return evidence.onRig()
+                ? (int) evidence.model().assembly().structure().slowestMode().stream().map(f -> PERIODS * rate / f).reduce(SAMPLES,
+                        Math::max)
+                : (int) Math.round(BRIEF * rate);
     }
 
     private static int hardest(Evidence evidence, int length) {

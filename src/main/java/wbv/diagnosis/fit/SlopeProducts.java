@@ -34,22 +34,12 @@ final class SlopeProducts {
         return slopes[i];
     }
 
-    /** Products of a derivative with each of them [1]. Not a copy. */
-    double[] gram(int i) {
-        return gram[i];
-    }
-
-    /** Products of a derivative with each error, free or not [1]. Not a copy. */
-    double[] withErrors(int i) {
-        return errors[i];
-    }
-
-    /** Of all of them, by derivative. Not copies. */
+    /** Products of each derivative with each [1]. Not copies. */
     double[][] gram() {
         return gram;
     }
 
-    /** Likewise. */
+    /** Products of each derivative with each error, free or not [1]. Not copies. */
     double[][] withErrors() {
         return errors;
     }

@@ -28,12 +28,11 @@ public record Windows(Window fit, Window heldOut) {
      * @throws DataFault if too little of an output of a sitter counts in one of them
      */
     static Windows of(Measured measured) {
-        int n = measured.recording().length();
         int split = measured.split();
         double rate = measured.recording().clock().rate();
         int start = start(measured);
         int proof = measured.isChosen() ? split + start : split;   // another ride begins with what nobody saw before it
-        return measured.onRig() ? new Windows(new Window(start, split - start, rate, 0), new Window(proof, n - proof, rate, 0))
+        return measured.onRig() ? new Windows(new Window(start, split - start, rate, 0), toEnd(proof, measured))
                 : new Windows(new Window(start, split - start, rate), toEnd(proof, measured)).counted(measured);
     }
 
@@ -46,9 +45,7 @@ public record Windows(Window fit, Window heldOut) {
 
     /** Fitted in all there is, which proves nothing then. */
     static Windows whole(Measured measured) {
-        int start = start(measured);
-        Window all = measured.onRig()
-                ? new Window(start, measured.recording().length() - start, measured.recording().clock().rate(), 0) : toEnd(start, measured);
+        Window all = toEnd(start(measured), measured);
         return new Windows(all, all);
     }
 
@@ -60,7 +57,8 @@ public record Windows(Window fit, Window heldOut) {
 
     private static Window toEnd(int from, Measured measured) {
         double rate = measured.recording().clock().rate();
-        return new Window(from, measured.recording().length() - from - (int) (END * rate), rate);
+        int left = measured.recording().length() - from;
+        return measured.onRig() ? new Window(from, left, rate, 0) : new Window(from, left - (int) (END * rate), rate);
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -23,7 +23,10 @@ public final class NoiseLevel {
     private static final double LOW = 0.25;
     private static final double HIGH = 0.37;
     private static final double BAND = 0.025;
-    /** Standard deviations by which one band may be louder than the quietest and still hold no more than noise. */
+    /**
+     * Standard deviations by which one band may be louder than the quietest and still hold no more than noise: by chance one of thirty
+     * thousand is louder, and any of thirteen once in two thousand times.
+     */
     static final double ALIKE = 4;
     /**
      * How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their
