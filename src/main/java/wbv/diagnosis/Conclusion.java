@@ -11,27 +11,19 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.PairSearch;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.diagnosis.search.SecondMechanism;
 
 /** What is concluded of hypotheses that were fitted: the best of them, with a second only if it must be, and the verdict on it. */
 final class Conclusion {
-
-    /** What data not used must show for a second mechanism to be sought. */
-    private static final double LOUD = 1.5;
-    /** How much more than the best a fit may leave to be looked at with free ways. */
-    private static final double CARRIED = 1.2;
-    private static final int MOST_CARRIED = 2;
-    /**
-     * By how much more a simpler law may cost to be preferred [1], and by which part of what the best leaves beyond its degrees of freedom.
-     */
-    private static final double SIMPLER = 100;
-    private static final double SIMPLER_PART = 0.3;
 
     private final Inquiry inquiry;
     private final Evidence evidence;
@@ -53,10 +45,10 @@ final class Conclusion {
     }
 
     private Diagnosed of(List<Fitter.State> leaders) {
-        List<Fitter.State> credible = carried(search.credible(leaders));
-        Chosen chosen = credible.isEmpty() ? Chosen.single(base) : chosen(simplest(credible), credible);
+        List<Fitter.State> fits = carried(leaders);
+        Chosen chosen = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
         inquiry.progress().accept("proving", 0.9);
-        Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, credible));
+        Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, fits));
         double heldBefore = refinement.heldOut(base);
         Diagnosed found = new Verdicts(standing, heldBefore, search).diagnosed(this::places);
         List<Diagnosis.Named> missing = found.diagnosis().missing();
@@ -72,14 +64,14 @@ final class Conclusion {
      * The best with what it takes beside it.
      *
      * @param best     single mechanism
-     * @param credible all of them
+     * @param all of them
      */
-    private Chosen chosen(Fitter.State best, List<Fitter.State> credible) {
-        boolean more = Refinement.explained(base, best) < Refinement.NEARLY_ALL || best.reduced() > Refinement.MUCH;
-        boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(best);
-        Chosen chosen = much ? pairs().best(best, credible) : Chosen.single(best);
-        return chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT
-                ? new SecondMechanism(evidence, search, this::pairs).of(chosen.fit(), much).orElse(chosen) : chosen;
+    private Chosen chosen(Fitter.State best, List<Fitter.State> all) {
+        boolean more = Refinement.explained(base, best) < Priors.NEARLY_ALL || best.reduced() > Priors.GLARING;
+        boolean much = best.reduced() > Priors.STRANGE && more && refinement.heldOut(best) > Priors.LOUD && !isOneLaw(best);
+        Chosen chosen = much ? pairs().best(best, all) : Chosen.single(best);
+        return !much && base.reduced() > Priors.SILENT
+                ? new SecondMechanism(evidence, search, this::pairs).of(best).orElse(chosen) : chosen;
     }
 
     private PairSearch pairs() {
@@ -105,8 +97,8 @@ final class Conclusion {
         if (!evidence.standsForSimulation() || fits.isEmpty()) {
             return fits;
         }
-        double near = 1 + CARRIED * Refinement.excess(fits.get(0).reduced());
-        int count = (int) fits.stream().limit(MOST_CARRIED).filter(fit -> fit.reduced() < near).count();
+        double near = 1 + Effort.ALIKE * Refinement.excess(fits.get(0).reduced());
+        int count = (int) fits.stream().limit(Effort.SECONDS).filter(fit -> fit.reduced() < near).count();
         List<Fitter.State> out = new ArrayList<>(
                 Parallel.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
         out.addAll(fits.subList(count, fits.size()));
@@ -119,10 +111,10 @@ final class Conclusion {
         return !evidence.onRig() && new LawLearner(evidence, search, base, entrances()).isOne(name);
     }
 
-    /** The best, or a simpler law at the same place that is nearly as good. */
+    /** The best, or a simpler law at the same place that is as likely but for what a number more costs. */
     private static Fitter.State simplest(List<Fitter.State> leaders) {
         Fitter.State best = leaders.get(0);
-        return leaders.subList(1, Math.min(Search.LEADERS, leaders.size())).stream().filter(other -> isSimpler(other, best)).findFirst()
+        return leaders.subList(1, Math.min(Effort.LEADERS, leaders.size())).stream().filter(other -> isSimpler(other, best)).findFirst()
                 .orElse(best);
     }
 
@@ -130,8 +122,7 @@ final class Conclusion {
         Hypothesis first = best.candidate().added().get(0);
         Hypothesis rival = other.candidate().added().get(0);
         boolean plainer = first.byTheClock() && !rival.byTheClock() && first.kind().equals(rival.kind());
-        double excess = Math.max(best.cost() - best.frame().whitening().degrees(), 0);
         return (plainer || first.kind().yieldsTo(rival)) && rival.where().equals(first.where())
-                && other.cost() - best.cost() < SIMPLER + SIMPLER_PART * excess;
+                && Calibration.standard().isAsLikely(other.reduced(), best.reduced());
     }
 }

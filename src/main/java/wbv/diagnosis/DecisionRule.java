@@ -29,34 +29,30 @@ final class DecisionRule {
 
     private static final double ROUNDING = 1e-9;
 
-    private final Priors priors;
-
-    DecisionRule(Priors priors) {
-        this.priors = priors;
-    }
+    private DecisionRule() {}
 
     /**
      * Nothing missing, or values only, where physics is no likelier than none; one name where it holds enough; something else where that is
      * likelier than not; otherwise the fewest claims that hold enough together. A claim from which the first is told apart, by odds at
      * which one name of two would hold enough, is none of them, however many such there are.
      */
-    Reading read(Posterior posterior) {
-        if (posterior.mass(claim -> !claim.isPhysics()) >= 0.5) {
+    static Reading read(Posterior posterior) {
+        if (posterior.mass(claim -> !claim.isPhysics()) >= Priors.MAJORITY) {
             boolean given = posterior.of(Claim.NOTHING) >= posterior.of(Claim.VALUES);
             return new Reading(given ? Verdict.NOTHING_MISSING : Verdict.PARAMETERS_ONLY, List.of(given ? Claim.NOTHING : Claim.VALUES),
                     posterior.mass(claim -> !claim.isPhysics()));
         }
         double other = posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE);
         List<Claim> elsewhere = posterior.ranked().stream().filter(claim -> claim.kind() == Claim.Kind.ELSE).toList();
-        return other >= 0.5 ? new Reading(Verdict.SOMETHING_ELSE, elsewhere, other) : fewest(posterior);
+        return other >= Priors.MAJORITY ? new Reading(Verdict.SOMETHING_ELSE, elsewhere, other) : fewest(posterior);
     }
 
-    private Reading fewest(Posterior posterior) {
+    private static Reading fewest(Posterior posterior) {
         List<Claim> set = new ArrayList<>();
         double held = 0;
-        double near = posterior.of(posterior.ranked().get(0)) * priors.odds();
+        double near = posterior.of(posterior.ranked().get(0)) * Priors.ODDS;
         for (Claim claim : posterior.ranked()) {
-            if (held < priors.held() - ROUNDING && posterior.of(claim) > near) {
+            if (held < Priors.HELD - ROUNDING && posterior.of(claim) > near) {
                 set.add(claim);
                 held += posterior.of(claim);
             }

@@ -13,6 +13,8 @@ import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Effort;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.diagnosis.search.Whereabouts;
@@ -23,13 +25,6 @@ import wbv.recording.Recording;
  * every place, refit the best by free run, add a second only if it must, decide, and prove on data not used.
  */
 public final class Diagnoser {
-
-    /** How much worse a model does on data not used for it before what shows there is fitted instead. */
-    private static final double LATER = 3;
-    /** What a force must leave beside the best mechanism to be more than the law's form. */
-    private static final double STRONG = 4;
-    /** Part of a plain mismatch that a mechanism must promise to first order that is to explain all of it. */
-    private static final double PROMISED = 0.5;
 
     private final Inquiry inquiry;
     private final Evidence evidence;
@@ -86,7 +81,7 @@ public final class Diagnoser {
      */
     public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
         Inquiry asked = Inquiry.of(asked(question, question.asked()), progress);
-        Optional<Inquiry> quiet = asked.leaves(asked.base(), Refinement.SILENT) ? Optional.of(asked) : asked.knowingWhoSitsStill();
+        Optional<Inquiry> quiet = asked.leaves(asked.base(), Priors.SILENT) ? Optional.of(asked) : asked.knowingWhoSitsStill();
         return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given())).map(knowing -> Conclusion.of(knowing, List.of()))
                 .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
     }
@@ -108,16 +103,16 @@ public final class Diagnoser {
     private Diagnosed run() {
         double heldOut = inquiry.heldOut(base);
         boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
-        boolean louderLater = !evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced();
-        boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
+        boolean louderLater = !evidence.onRig() && !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
+        boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || Math.max(base.reduced(), heldOut) > Priors.STRANGE;
         // The little that is left on a rig may be noise of its input.
-        boolean quiet = Math.max(base.reduced(), heldOut) < Refinement.SILENT;
+        boolean quiet = Math.max(base.reduced(), heldOut) < Priors.SILENT;
         return louderLater ? louderLater() : loud ? searched() : Conclusion.of(quiet ? inquiry : inquiry.hearingInput(base), List.of());
     }
 
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
     private Diagnosed louderLater() {
-        Optional<Diagnosed> here = base.reduced() > Refinement.PLAIN ? Optional.of(searched()) : Optional.empty();
+        Optional<Diagnosed> here = base.reduced() > Priors.GLARING ? Optional.of(searched()) : Optional.empty();
         return here.filter(Diagnosed::isByHypothesis).orElseGet(() -> {
             Diagnosed later = run(Inquiry.of(evidence.late(), inquiry.progress()));
             // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
@@ -147,10 +142,10 @@ public final class Diagnoser {
      * used for it too: no law that is not linear does so little to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> linear() {
-        boolean plain = !evidence.onRig() && !(base.reduced() < Refinement.PLAIN);
-        List<Fitter.State> leaders = plain ? search.linear(base, Search.LEADERS, PROMISED) : List.of();
-        return leaders.stream().findFirst().filter(best -> !(Refinement.explained(base, best) < Refinement.NEARLY_ALL))
-                .flatMap(best -> inquiry.leaves(best, Refinement.SILENT) ? Optional.of(Conclusion.of(inquiry, leaders))
+        boolean plain = !evidence.onRig() && !(base.reduced() < Priors.GLARING);
+        List<Fitter.State> leaders = plain ? search.linear(base, Effort.LEADERS, Priors.MAJORITY) : List.of();
+        return leaders.stream().findFirst().filter(best -> !(Refinement.explained(base, best) < Priors.NEARLY_ALL))
+                .flatMap(best -> inquiry.leaves(best, Priors.SILENT) ? Optional.of(Conclusion.of(inquiry, leaders))
                         : besideWhoSitsStill(best, leaders));
     }
 
@@ -158,7 +153,7 @@ public final class Diagnoser {
         return inquiry.left(best).filter(force -> force.ordinary(evidence)).flatMap(force -> {
             Inquiry knowing = inquiry.knowing(force);
             List<Fitter.State> again = knowing.again(leaders);
-            return knowing.leaves(again.get(0), Refinement.SILENT) ? Optional.of(Conclusion.of(knowing, again)) : Optional.empty();
+            return knowing.leaves(again.get(0), Priors.SILENT) ? Optional.of(Conclusion.of(knowing, again)) : Optional.empty();
         });
     }
 
@@ -176,7 +171,7 @@ public final class Diagnoser {
 
     /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
     private Diagnosed asKnown(Whereabouts where) {
-        return heard(leaders(where), where, Inquiry.SETTLING);
+        return heard(leaders(where), where, Effort.ROUNDS);
     }
 
     /** With a rig's noise read, so many times at most, from what the best hypothesis leaves: what leaves less of one may not of another. */
@@ -195,7 +190,7 @@ public final class Diagnoser {
 
     /** The diagnosis with the force in the noise that the best hypothesis leaves, if that is a person's own. */
     private Diagnosed withForceLeft(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
-        Optional<BodyForce> rest = best.reduced() < (isForceUnknown() ? Refinement.SILENT : Inquiry.NOISE) ? Optional.empty()
+        Optional<BodyForce> rest = best.reduced() < (isForceUnknown() ? Priors.SILENT : Priors.NOISE) ? Optional.empty()
                 : inquiry.left(best);
         return rest.filter(force -> force.ordinary(evidence)).map(force -> judged(inquiry.knowing(force), leaders))
                 .orElseGet(() -> withPush(leaders, best, rest, where));
@@ -203,7 +198,7 @@ public final class Diagnoser {
 
     /** The diagnosis where a strong force may be all that is missing, or hide what else is. */
     private Diagnosed withPush(List<Fitter.State> leaders, Fitter.State best, Optional<BodyForce> rest, Whereabouts where) {
-        boolean strong = best.reduced() > STRONG;
+        boolean strong = best.reduced() > Priors.STRANGE;
         // A hidden mass looks like a push too, and so may a sitter's own force; so first they were asked for.
         if (isForceUnknown() && strong && inquiry.isPush()) {
             return Conclusion.of(inquiry, List.of());
@@ -222,11 +217,11 @@ public final class Diagnoser {
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {
-        List<Fitter.State> near = search.leaders(base, Search.LEADERS, where);
+        List<Fitter.State> near = search.leaders(base, Effort.LEADERS, where);
         double unlisted = Calibration.unlisted(base.reduced() - 1);
         List<Fitter.State> all = new ArrayList<>(near);
         if (near.isEmpty() || near.get(0).reduced() - 1 > unlisted) {
-            where.besideSensor(unlisted).ifPresent(farther -> all.addAll(search.leaders(base, Search.LEADERS, farther)));
+            where.besideSensor(unlisted).ifPresent(farther -> all.addAll(search.leaders(base, Effort.LEADERS, farther)));
             all.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return all;

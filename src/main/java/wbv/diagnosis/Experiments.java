@@ -7,6 +7,7 @@ import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Priors;
 
 /** The recording that would settle what two mechanisms leave open (DIAGNOSIS 7). */
 final class Experiments {
@@ -24,9 +25,6 @@ final class Experiments {
     static final String CAUSE = "See that the input is the channel that drives what was measured, on the same clock, and that both have "
             + "the sign and the unit of the model; then shake harder, or record a quiet trial: what is there without the ride is not "
             + "caused by it.";
-
-    /** From this probability on no rival has to be told apart any more, and the numbers are next. */
-    private static final double SETTLED = 0.95;
 
     private final Library library;
 
@@ -54,7 +52,7 @@ final class Experiments {
         }
         Diagnosis.Named first = leading.get(0);
         boolean force = first.parameters().keySet().stream().anyMatch(MassScale::scales);
-        if (!missing.isEmpty() && scaled && first.probability() >= SETTLED && force) {
+        if (!missing.isEmpty() && scaled && first.probability() >= Priors.HELD && force) {
             return SCALE;
         }
         Optional<Diagnosis.Named> second = (missing.isEmpty() ? alternatives.stream().skip(1) : alternatives.stream())

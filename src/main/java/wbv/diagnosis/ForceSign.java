@@ -7,12 +7,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.search.Effort;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -26,16 +29,6 @@ import wbv.recording.Recording;
  * turned?
  */
 final class ForceSign {
-
-    /** Stretches of which each has its net work. */
-    private static final int BLOCKS = 10;
-    /** Student's t of nine degrees of freedom that chance passes once in a thousand times. */
-    private static final double SURE = 4.297;
-    /**
-     * Part of the mean square, in units of the noise, that the model may leave with the sign turned: what is left otherwise is twice that,
-     * which no chance makes.
-     */
-    private static final double MUCH_BETTER = 0.5;
 
     private final Question question;
     private final Evidence evidence;
@@ -89,7 +82,7 @@ final class ForceSign {
         Question other = question.with(new Recording(recording.clock(), values, recording.metadata()));
         Evidence turned = new Evidence(other.asked(), other.recording(), other.noise(), other.provedFrom());
         double left = base(turned).reduced();
-        if (!(left < MUCH_BETTER * asRecorded)) {
+        if (!(left < Priors.MAJORITY * asRecorded)) {
             return Optional.empty();
         }
         String names = String.join(" and ", channels.stream().map(Channel::toString).toList());
@@ -150,12 +143,13 @@ final class ForceSign {
     private static boolean drains(double[] force, double[] velocity) {
         int n = Math.min(force.length, velocity.length);
         double mean = Arrays.stream(force, 0, n).average().orElse(0);
-        double[] work = new double[BLOCKS];
+        double[] work = new double[Effort.STRETCHES];
         for (int i = 0; i < n; i++) {
-            work[(int) ((long) i * BLOCKS / n)] += (force[i] - mean) * velocity[i];
+            work[(int) ((long) i * Effort.STRETCHES / n)] += (force[i] - mean) * velocity[i];
         }
         double average = Arrays.stream(work).average().orElse(0);
-        double square = Arrays.stream(work).map(w -> (w - average) * (w - average)).sum() / (BLOCKS - 1);
-        return average < -SURE * Math.sqrt(square / BLOCKS);
+        double square = Arrays.stream(work).map(w -> (w - average) * (w - average)).sum() / (Effort.STRETCHES - 1);
+        return average < -new TDistribution(Effort.STRETCHES - 1).inverseCumulativeProbability(1 - Priors.CHANCE)
+                * Math.sqrt(square / Effort.STRETCHES);
     }
 }

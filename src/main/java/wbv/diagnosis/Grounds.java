@@ -3,14 +3,12 @@ package wbv.diagnosis;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
 /** What a verdict rests on: how what was found stands, here and on data not used, and the words for it. */
 final class Grounds {
-
-    /** From here on a mismatch is plain, whatever the rest of the recording shows. */
-    static final double PLAIN = 1.5;
 
     private final Standing standing;
     private final Search search;
@@ -101,6 +99,6 @@ final class Grounds {
     boolean isQuiet(double fit, double held) {
         double fitted = evidence().fit().length();
         double unused = evidence().heldOut().length();
-        return (fitted * fit + unused * held) / (fitted + unused) < Refinement.SILENT && Math.max(fit, held) < PLAIN;
+        return (fitted * fit + unused * held) / (fitted + unused) < Priors.SILENT && Math.max(fit, held) < Priors.LOUD;
     }
 }

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +23,7 @@ import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.OddSensor;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
@@ -42,9 +44,6 @@ import wbv.signal.ScalarProduct;
  * name by that is not asked.
  */
 final class Imitations {
-
-    private static final int STARTS = 2;
-    private static final int STEPS = 25;
 
     private final Evidence evidence;
     private final Search search;
@@ -86,9 +85,25 @@ final class Imitations {
         List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
         List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream()
                 .filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
-        List<Fitter.State> likelier = Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream()
-                .filter(fit -> evidence(fit, fitted) > price).toList();
-        return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
+        List<Fitter.State> fits = likelier(Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)), fitted, price);
+        Fitter.State alone = fits.isEmpty() ? fitted : alone(fitted, fits);
+        List<Fitter.State> likelier = likelier(fits, alone, price);
+        return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(alone, likelier, price)).filter(Imitations::isImitated);
+    }
+
+    private List<Fitter.State> likelier(List<Fitter.State> fits, Fitter.State than, double price) {
+        return fits.stream().filter(fit -> evidence(fit, than) > price).toList();
+    }
+
+    /**
+     * The numbers alone as well as they can do: near the noise a fit ends some nats before its best, and beside a law numbers go where the
+     * same numbers without it are likelier too.
+     */
+    private Fitter.State alone(Fitter.State base, List<Fitter.State> fits) {
+        int own = base.x().length;
+        Stream<Fitter.State> again = Parallel.map(fits, fit -> refinement.polish(base.candidate(), Arrays.copyOf(fit.x(), own))).stream();
+        Fitter.State best = Stream.concat(Stream.of(base), again).min(Comparator.comparingDouble(this::misfit)).orElseThrow();
+        return search.fitter().lookWithSlopes(best.candidate(), best.x(), best.frame());
     }
 
     /** Whether what is likeliest is what numbers imitate: of anything else as weak as that another law at its place may be the truth. */
@@ -104,7 +119,8 @@ final class Imitations {
                 .map(start -> search.fitter().look(with, base.candidate().extended(from, with, hypothesis, start.values()), base.frame())))
                 .toList());
         return refinement.polish(Trial
-                .sorted(looks.stream().limit(STARTS).map(look -> search.fitter().fit(with, look.x(), base.frame(), STEPS, 1e-4)).toList())
+                .sorted(looks.stream().limit(Effort.SECONDS)
+                        .map(look -> search.fitter().fit(with, look.x(), base.frame(), Effort.LAST_STEPS, Effort.FINE)).toList())
                 .get(0));
     }
 
@@ -119,7 +135,7 @@ final class Imitations {
                 .only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
         // A sensor that is later than sensors scatter looks like a memory, and a fit takes it for small errors of several.
         List<Fitter.State> fits = Stream.of(imitated.stream(), new OddSensor(evidence, refinement).in(base).stream(),
-                search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit)))
+                search.leaders(base, Effort.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit)))
                 .flatMap(Function.identity()).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
@@ -128,7 +144,7 @@ final class Imitations {
         Map<Fitter.State, Double> alone = Map.copyOf(likelier);
         for (Fitter.State fit : fits) {
             double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(alone::get).max().orElse(0);
-            if (simpler > Priors.USUAL.carried() * alone.get(fit)) {
+            if (simpler > Priors.MAJORITY * alone.get(fit)) {
                 likelier.remove(fit);
             } else if (simpler > price) {
                 likelier.put(fit, simpler);
@@ -136,8 +152,8 @@ final class Imitations {
         }
         Map<Claim, Double> best = new LinkedHashMap<>();
         likelier.forEach((fit, nats) -> best.merge(Standing.claim(fit), nats, Math::max));
-        List<Posterior.Weighed> claims = new ArrayList<>(List.of(new Posterior.Weighed(Claim.VALUES, 0.5, 0)));
-        best.forEach((claim, nats) -> claims.add(new Posterior.Weighed(claim, 0.5 * Math.exp(-price), nats)));
+        List<Posterior.Weighed> claims = new ArrayList<>(List.of(new Posterior.Weighed(Claim.VALUES, Priors.MAJORITY, 0)));
+        best.forEach((claim, nats) -> claims.add(new Posterior.Weighed(claim, Priors.MAJORITY * Math.exp(-price), nats)));
         List<Fitter.State> ranked = new ArrayList<>(likelier.keySet());
         ranked.sort(Comparator.comparingDouble(fit -> -likelier.get(fit)));
         return new Weighed(ranked, Posterior.of(claims, 1).but(Calibration.standard().lapse(), Standing.UNKNOWN));

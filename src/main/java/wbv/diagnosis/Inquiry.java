@@ -13,7 +13,9 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SpectralLines;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
@@ -23,13 +25,6 @@ import wbv.recording.Channel;
  * of its own, or noise of an input, makes another inquiry, which knows of it: the same data, seen through other noise.
  */
 final class Inquiry {
-
-    /** What is left beside noise that is known in full: 1, and what it scatters by. */
-    static final double NOISE = 1.04;
-    /** Fits after which the noise of a rig's sensors is read again from what they leave: each is looked at with what the last one told. */
-    static final int SETTLING = 3;
-    /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
-    private static final double OWN_SCATTER = 0.012;
 
     private final Evidence evidence;
     private final Candidate baseline;
@@ -46,7 +41,7 @@ final class Inquiry {
     /** @param progress told the step and the share of it that is done, 0 to 1 or NaN */
     static Inquiry of(Evidence evidence, BiConsumer<String, Double> progress) {
         Inquiry asked = new Inquiry(evidence, Baseline.of(evidence), progress);
-        for (int i = 0; i < SETTLING; i++) {
+        for (int i = 0; i < Effort.ROUNDS; i++) {
             Optional<Inquiry> quieter = asked.beside(asked.base());
             if (quieter.isEmpty()) {
                 return asked;
@@ -115,7 +110,7 @@ final class Inquiry {
     /** The best few fitted in the whitening of this base, the others looked at in it. */
     List<Fitter.State> again(List<Fitter.State> fits) {
         Fitter.State base = base();
-        int leading = Math.min(Search.LEADERS, fits.size());
+        int leading = Math.min(Effort.LEADERS, fits.size());
         List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement()::polish));
         fits.subList(leading, fits.size()).forEach(fit -> out.add(search.fitter().look(fit.candidate(), fit.x(), base.frame())));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
@@ -136,18 +131,18 @@ final class Inquiry {
         // A tone would be taken for a part of a force that has all frequencies.
         return SpectralLines.standOut(base().residual(), evidence.fit()) ? Optional.empty()
                 : BodyForce.in(evidence, base()).filter(force -> force.ordinary(evidence) && force.following().isSteady())
-                        .map(this::knowing).filter(knowing -> knowing.leaves(knowing.base(), NOISE));
+                        .map(this::knowing).filter(knowing -> knowing.leaves(knowing.base(), Priors.NOISE));
     }
 
     /** A strong force of its own that is left without any mechanism. */
     Optional<BodyForce> push() {
-        return base().reduced() > Refinement.STRANGE ? BodyForce.in(evidence, base()).filter(BodyForce::independent) : Optional.empty();
+        return base().reduced() > Priors.STRANGE ? BodyForce.in(evidence, base()).filter(BodyForce::independent) : Optional.empty();
     }
 
     /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
     boolean isPush() {
         return push().map(this::knowing)
-                .filter(knowing -> knowing.leaves(knowing.base(), Math.max(NOISE, 1 + OWN_SCATTER * (base().reduced() - 1)))
+                .filter(knowing -> knowing.leaves(knowing.base(), Math.max(Priors.NOISE, 1 + Priors.SCATTER * (base().reduced() - 1)))
                         && !SpectralLines.standOut(knowing.base().residual(), evidence.fit()))
                 .isPresent();
     }
@@ -158,7 +153,7 @@ final class Inquiry {
      */
     boolean isBeside(BodyForce push, Diagnosed found) {
         double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
-        return found.namesBesidePush() && found.base.reduced() - 1 > OWN_SCATTER * (base().reduced() - 1)
-                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > Pushes.REMAINS * known).isPresent();
+        return found.namesBesidePush() && found.base.reduced() - 1 > Priors.SCATTER * (base().reduced() - 1)
+                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > Priors.MAJORITY * known).isPresent();
     }
 }

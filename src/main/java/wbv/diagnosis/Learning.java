@@ -25,9 +25,6 @@ import wbv.diagnosis.search.Search;
  */
 final class Learning {
 
-    /** Other laws that are told beside one that was learned. */
-    private static final int RIVALS = 5;
-
     private final Evidence evidence;
     private final Search search;
     private final Refinement refinement;
@@ -123,7 +120,7 @@ final class Learning {
     }
 
     private List<Diagnosis.LearnedLaw.Rival> rivals(Learnt learnt) {
-        return others(learnt).limit(RIVALS)
+        return others(learnt).limit(VerdictWords.RIVALS)
                 .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(learnt, each),
                         each.fit().reduced()))
                 .toList();

@@ -10,27 +10,12 @@ import java.util.function.Supplier;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Search;
 
 /** Whether the mechanisms of the best hypothesis are named, and how surely. */
 final class Naming {
-
-    private static final double LEAST_GAIN = 80;
-    private static final double LEAST_SHARE = 0.5;
-    /**
-     * What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects.
-     */
-    private static final double LEAST_DROP = 0.1;
-    private static final double CARRIED_OVER = 0.72;
-    /**
-     * On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data
-     * too.
-     */
-    private static final double RIG_SHARE = 0.4;
-    private static final double RIG_HELD = 0.75;
-    /** How sure a name is that leaves too much, at most. */
-    private static final double UNSURE = 0.4;
 
     private final Grounds grounds;
     private final Standing standing;
@@ -48,12 +33,11 @@ final class Naming {
 
     /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
     boolean isWorth() {
-        double drop = base.reduced() - best.reduced();
-        return best != base && grounds.foretells(best) && standing.explained() > (onRig ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP
-                && drop * base.frame().whitening().degrees() > LEAST_GAIN
-                && (onRig || grounds.heldBefore() - grounds.heldAfter() > LEAST_DROP / 2)
+        double chance = Calibration.standard().chance();
+        return best != base && grounds.foretells(best) && standing.explained() > Priors.MAJORITY && base.reduced() - best.reduced() > chance
+                && (onRig || grounds.heldBefore() - grounds.heldAfter() > chance)
                 // So near to the noise only a name without a rival is a finding.
-                && (grounds.heldBefore() > Refinement.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
+                && (grounds.heldBefore() > Priors.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     /**
@@ -65,7 +49,7 @@ final class Naming {
     Optional<Explanation> explanation(Supplier<List<Diagnosis.Latent>> locate) {
         boolean poor = isPoor();
         Values values = new Values(grounds.evidence(), best);
-        Map<Hypothesis, Diagnosis.Named> claimed = claimed(values, poor ? UNSURE : 1);
+        Map<Hypothesis, Diagnosis.Named> claimed = claimed(values, poor ? Priors.MAJORITY : 1);
         boolean nothing = claimed.entrySet().stream().allMatch(each -> mayBeNothing(each.getKey(), each.getValue()));
         return nothing ? Optional.empty() : Optional.of(poor ? unsure(values, claimed, locate.get()) : sure(values, claimed));
     }
@@ -89,13 +73,13 @@ final class Naming {
     /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
     private boolean isPoor() {
         return standing.reading().isUnknown()
-                || (onRig ? grounds.heldAfter() > RIG_HELD * grounds.heldBefore() : !carriesOver() || Search.extreme(best));
+                || (onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best));
     }
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
     private boolean carriesOver() {
         double before = grounds.heldBefore();
-        return before < Refinement.STRANGE || (before - grounds.heldAfter()) / (before - 1) > CARRIED_OVER * standing.explained();
+        return before < Priors.STRANGE || (before - grounds.heldAfter()) / (before - 1) > (1 - Priors.UNLISTED) * standing.explained();
     }
 
     /** @param most how sure a name may be */

@@ -6,17 +6,10 @@ import java.util.Optional;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.diagnosis.search.MassScale;
-import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Priors;
 
 /** Forces that nobody measured, as what is missing. */
 final class Pushes {
-
-    /** Part of a push, in root mean square, that is left beside a mechanism if it is not what the mechanism did [1]. */
-    static final double REMAINS = 0.5;
-    /** How sure a push is: by its level, which does not follow the ride's; by all that it carries; and beside a name, at least. */
-    private static final double BY_LEVEL = 0.9;
-    private static final double BY_SHARE = 0.6;
-    private static final double BESIDE_NAME = 0.5;
 
     private final Grounds grounds;
 
@@ -31,12 +24,13 @@ final class Pushes {
      */
     Optional<Explanation> instead(boolean named) {
         double left = grounds.base().reduced();
-        if (named && isTaken(left, grounds.best().reduced()) || left < Refinement.STRANGE) {
+        if (named && isTaken(left, grounds.best().reduced()) || left < Priors.STRANGE) {
             return Optional.empty();
         }
         Standing standing = grounds.standing();
         return BodyForce.in(grounds.evidence(), grounds.base(), !named).filter(BodyForce::independent).map(force -> {
-            double p = named ? Math.max(BESIDE_NAME, 1 - standing.explained()) : force.following().isTold() ? BY_LEVEL : BY_SHARE;
+            double p = named ? Math.max(Priors.MAJORITY, 1 - standing.explained())
+                    : force.following().isTold() ? Priors.HELD : Priors.MAJORITY;
             List<Diagnosis.Named> rivals = standing.rivals(1 - p);
             return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
                     List.of(named(force, grounds.scale(), p)), rivals, List.of(), grounds.words().ending(force.carried(), 0, rivals));
@@ -64,6 +58,6 @@ final class Pushes {
      * @param with that the name leaves
      */
     static boolean isTaken(double without, double with) {
-        return with - 1 < Math.max(REMAINS * REMAINS * (without - 1), Math.log(without));
+        return with - 1 < Math.max(Priors.MAJORITY * Priors.MAJORITY * (without - 1), Math.log(without));
     }
 }

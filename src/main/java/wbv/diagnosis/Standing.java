@@ -15,9 +15,9 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.OwnNumbers;
-import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
@@ -25,13 +25,6 @@ import wbv.diagnosis.search.Search;
 final class Standing {
 
     static final Claim UNKNOWN = Claim.elseAt("", "");
-    /** Other mechanisms that are told. */
-    private static final int RIVALS = 5;
-    /**
-     * By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]: a hundred such take
-     * less from a probability than the digits that are told.
-     */
-    private static final double NEGLIGIBLE = 15;
 
     private final Fits fits;
     private final Fitter.State base;
@@ -127,7 +120,7 @@ final class Standing {
         Set<Claim> parts = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
         Map<Claim, Double> merged = new LinkedHashMap<>();
         posterior.probabilities().forEach((claim, p) -> merged.merge(parts.contains(claim) ? found() : claim, p, Double::sum));
-        return new DecisionRule(Priors.USUAL).read(new Posterior(merged));
+        return DecisionRule.read(new Posterior(merged));
     }
 
     /**
@@ -141,7 +134,8 @@ final class Standing {
         Set<Claim> seen = new HashSet<>(Set.of(found()));
         return weights.stream()
                 .filter(weight -> weight.isSingle() && !isOwn(weight.fit().candidate().last()) && seen.add(weight.claim()))
-                .map(weight -> named(weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())).limit(RIVALS).toList();
+                .map(weight -> named(weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())).limit(VerdictWords.RIVALS)
+                .toList();
     }
 
     /** How likely the model's own numbers are with what was found [nat], 0 or less. */
@@ -158,7 +152,7 @@ final class Standing {
         Set<Claim> seen = new HashSet<>(Set.of(but));
         return fits.stream().filter(fit -> seen.add(claim(fit)))
                 .map(fit -> named(fit, posterior.of(claim(fit))))
-                .sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
+                .sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(VerdictWords.RIVALS).toList();
     }
 
     private static Diagnosis.Named named(Fitter.State fit, double probability) {
@@ -216,7 +210,7 @@ final class Standing {
         List<Weight> out = new ArrayList<>();
         double most = Double.NEGATIVE_INFINITY;
         for (Weight weight : all.stream().sorted(Comparator.comparingDouble(Weight::evidence).reversed()).toList()) {
-            boolean matters = weight.evidence() > most - NEGLIGIBLE;
+            boolean matters = weight.evidence() > most - Effort.NEGLIGIBLE;
             out.add(matters ? weight.withNumbers(OwnNumbers.logPrior(fitter, weight.fit())) : weight);
             most = Math.max(most, out.get(out.size() - 1).sum());
         }

@@ -25,6 +25,8 @@ import wbv.recording.Quantity;
 /** What is said of a verdict, in a sentence. */
 final class VerdictWords {
 
+    /** Others that are told beside what was found. */
+    static final int RIVALS = 5;
     private static final Set<Slot.Kind> NUMBERS = Set.of(Slot.Kind.STIFFNESS, Slot.Kind.DAMPING, Slot.Kind.MASS);
 
     /** What is told as more than 0 %. */
@@ -63,7 +65,7 @@ final class VerdictWords {
     private String nextBest(Diagnosis.Named rival, double numbers) {
         return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
                 + Phrases.percent(Refinement.explained(base, rival.reduced()))
-                + (rival.numbers() - numbers < Math.log(Priors.USUAL.odds()) ? ", with stiffness or damping far from what was given" : "");
+                + (rival.numbers() - numbers < Math.log(Priors.ODDS) ? ", with stiffness or damping far from what was given" : "");
     }
 
     /**
@@ -104,8 +106,8 @@ final class VerdictWords {
      * as far as it explains any; where noise is all that is left in any case, the likeliest.
      */
     private String apart(List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals) {
-        double least = Priors.USUAL.odds() * missing.stream().mapToDouble(Diagnosis.Named::probability).min().orElse(1);
-        boolean quiet = base.reduced() <= Refinement.SILENT;
+        double least = Priors.ODDS * missing.stream().mapToDouble(Diagnosis.Named::probability).min().orElse(1);
+        boolean quiet = base.reduced() <= Priors.SILENT;
         Optional<Diagnosis.Named> nearest = rivals.stream().filter(rival -> rival.probability() > least)
                 .filter(rival -> quiet || Refinement.explained(base, rival.reduced()) >= LEAST_SHOWN)
                 .max(Comparator.comparingDouble(
@@ -159,7 +161,7 @@ final class VerdictWords {
         return String.format(Locale.ROOT,
                 "on data not used, %s explains %s of what the best of the sensors measured, whatever the model's numbers; at least "
                         + "%.0f %% is needed.",
-                evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
+                evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Priors.MAJORITY);
     }
 
     /**

@@ -8,9 +8,9 @@ import java.util.Set;
 import java.util.function.Supplier;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.OddSensor;
 import wbv.diagnosis.search.Priors;
-import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Quantity;
 
@@ -20,18 +20,6 @@ import wbv.recording.Quantity;
  * where nothing explains the mismatch that is said.
  */
 final class Verdicts {
-
-    /** Part of the best output that the input has to explain, on data not used, before anything is said of what it leaves. */
-    static final double CAUSED = 0.5;
-    /** How sure a late sensor can be: its delay may be one of those that sensors have. */
-    private static final double IMITATED = 0.75;
-    /** How much of the mean square the small errors of one sensor take where they are found anew. */
-    private static final double FOUND_ANEW = 0.02;
-    /** What the model as given may leave beyond what it leaves with fitted values and still be right: a factor, and so much more. */
-    private static final double GIVEN_FACTOR = 1.12;
-    private static final double GIVEN_MORE = 0.05;
-    /** How likely names are together that explain nothing well enough. */
-    private static final double UNLIKELY = 0.1;
 
     private final Grounds grounds;
     private final Evidence evidence;
@@ -51,7 +39,7 @@ final class Verdicts {
         Explanation sought = new Pushes(grounds).instead(named)
                 .or(() -> named ? naming.explanation(locate) : imitated().or(this::lateSensor)).orElseGet(() -> nothing(locate));
         double caused = new SeenErrors(evidence).explained(sought.fit());
-        boolean idle = caused < CAUSED;
+        boolean idle = caused < Priors.MAJORITY;
         Explanation found = idle ? cannotTell(grounds.words().notCaused(caused)) : sought;
         List<Diagnosis.Named> missing = new ArrayList<>(idle ? List.of() : new PlainFaults(evidence).in(base, grounds.best()));
         boolean untold = found.verdict() == Diagnosis.Verdict.CANNOT_TELL;
@@ -68,8 +56,8 @@ final class Verdicts {
 
     /** What the model's own numbers nearly imitate. */
     private Optional<Explanation> imitated() {
-        return base.reduced() > Refinement.SILENT ? Optional.empty() : new Imitations(evidence, grounds.search()).in(base).map(found -> {
-            DecisionRule.Reading reading = new DecisionRule(Priors.USUAL).read(found.posterior());
+        return base.reduced() > Priors.SILENT ? Optional.empty() : new Imitations(evidence, grounds.search()).in(base).map(found -> {
+            DecisionRule.Reading reading = DecisionRule.read(found.posterior());
             Values values = new Values(evidence, found.fits().get(0));
             Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(),
                     found.posterior().of(Standing.claim(found.fits().get(0))));
@@ -86,7 +74,7 @@ final class Verdicts {
         return new OddSensor(evidence, grounds.refinement()).in(base).filter(this::isQuiet).map(fit -> {
             Values values = new Values(evidence, fit);
             return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(),
-                    List.of(values.named(fit.candidate().last(), IMITATED)), List.of(), List.of(), ".");
+                    List.of(values.named(fit.candidate().last(), Priors.LATE)), List.of(), List.of(), ".");
         });
     }
 
@@ -94,16 +82,17 @@ final class Verdicts {
     private boolean isQuiet(Fitter.State fit) {
         double held = grounds.refinement().heldOut(fit);
         // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
-        return held < grounds.heldBefore() + FOUND_ANEW && grounds.isQuiet(fit.reduced(), held) && grounds.foretells(fit);
+        return held < grounds.heldBefore() + Calibration.standard().chance() && grounds.isQuiet(fit.reduced(), held)
+                && grounds.foretells(fit);
     }
 
     /** No name: nothing to find, nothing found, or not even that. */
     private Explanation nothing(Supplier<List<Diagnosis.Latent>> locate) {
         double left = base.reduced();
         double held = grounds.heldBefore();
-        boolean quiet = left < Refinement.SILENT;
-        boolean heldQuiet = held < Refinement.SILENT;
-        boolean little = quiet || heldQuiet || Math.max(left, held) < Refinement.STRANGE;
+        boolean quiet = left < Priors.SILENT;
+        boolean heldQuiet = held < Priors.SILENT;
+        boolean little = quiet || heldQuiet || Math.max(left, held) < Priors.STRANGE;
         String why = quiet == heldQuiet ? "more than noise leaves, and too little for any mechanism to stand out"
                 : "a law acts in both, an event in one only";
         return grounds.isQuiet(left, held) ? nothingMissing()
@@ -112,14 +101,13 @@ final class Verdicts {
 
     private Explanation nothingMissing() {
         Fitter.State given = grounds.given();
-        boolean right = given.reduced() < GIVEN_FACTOR * base.reduced() + GIVEN_MORE
-                && grounds.isQuiet(given.reduced(), grounds.refinement().heldOut(given));
+        boolean right = grounds.isQuiet(given.reduced(), grounds.refinement().heldOut(given));
         return Explanation.nameless(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, grounds,
                 grounds.words().counting());
     }
 
     private Explanation unexplained(List<Diagnosis.Latent> places) {
-        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, base, grounds.scale(), List.of(), grounds.standing().rivals(UNLIKELY),
+        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, base, grounds.scale(), List.of(), grounds.standing().rivals(1 - Priors.HELD),
                 places, grounds.words().entering(places));
     }
 
@@ -129,7 +117,7 @@ final class Verdicts {
      * @param given it on what is fitted
      */
     static boolean mayBeRight(Fitter.State given) {
-        return given.reduced() < Grounds.PLAIN;
+        return given.reduced() < Priors.LOUD;
     }
 
     private Explanation cannotTell(String ending) {

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
-import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Priors;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -41,7 +41,7 @@ class GearTest {
     void withoutPlayNothingIsNamedBehindAMeasuredMotor(long seed) {
         Diagnosis d = Bench.diagnosed(driven(seed), behindMotor(0, seed));
         assertEquals(List.of(), d.missing(), d.sentence());
-        assertTrue(d.verdict().isQuiet() && d.fit().heldAfter() < Refinement.SILENT, d.sentence());
+        assertTrue(d.verdict().isQuiet() && d.fit().heldAfter() < Priors.SILENT, d.sentence());
     }
 
     @Tag("exam")
@@ -63,7 +63,7 @@ class GearTest {
         assertEquals("contact.backlash at motor-load", d.missing().get(0).mechanism() + " at " + d.missing().get(0).where(), d.sentence());
         assertEquals(1, d.missing().size(), d.sentence());
         assertEquals(gap, d.missing().get(0).parameters().get("gap_m"), 0.1 * gap, d.sentence());
-        assertTrue(d.fit().heldAfter() < Refinement.SILENT, d.sentence() + " " + d.fit().heldAfter());
+        assertTrue(d.fit().heldAfter() < Priors.SILENT, d.sentence() + " " + d.fit().heldAfter());
     }
 
     /** A number that is given a tenth wrong, more or less. */

@@ -10,7 +10,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Priors;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -67,7 +67,7 @@ class InputSensorTest {
         Diagnosis d = diagnosed(0, 0.25, (bench, push) -> bench.sampled(push), seed);
         assertEquals(List.of("sensor.quantised at " + POSITION), names(d), d.sentence());
         assertTrue(d.sentence().contains(" mm)"), d.sentence());
-        assertTrue(d.fit().heldAfter() < Refinement.SILENT, d.sentence());
+        assertTrue(d.fit().heldAfter() < Priors.SILENT, d.sentence());
     }
 
     @Tag("exam")

@@ -151,7 +151,7 @@ class StandingTest {
         Fitter.State hardening = leaving(1.52, mechanism("stiffness.hardening"));
         Fitter.State straight = leaving(1.5, mechanism("contact.backlash"));
         Fitter.State play = at(straight, straight.candidate().stiffness(0).orElseThrow(), Math.log(3));
-        double costs = Math.log1p(Math.pow(Math.log(3) / Priors.USUAL.number(), 2));
+        double costs = Math.log1p(Math.pow(Math.log(3) / Priors.NUMBER, 2));
         Standing standing = Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening)));
         assertEquals(hardening, standing.fits().best());
         assertEquals(0, standing.numbers());

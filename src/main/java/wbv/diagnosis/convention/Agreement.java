@@ -11,7 +11,6 @@ import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.search.Priors;
-import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.signal.LostSamples;
@@ -98,7 +97,7 @@ final class Agreement {
 
     /** Odds against chance, in the logarithm, that a convention has to have beside those of any being amiss, and of its being that one. */
     private static double sure(int conventions) {
-        double chance = Priors.USUAL.chance();
+        double chance = Priors.CHANCE;
         return Math.log((1 - chance) / chance) + Math.log(AMISS * conventions);
     }
 
@@ -124,7 +123,7 @@ final class Agreement {
             return fitted.stream().findFirst().filter(best -> before.cost() - best.cost() > sure(all.size()))
                     .map(best -> new Held(best.convention(), touched(best.convention()), left(before, best.convention()),
                             left(best, best.convention()), fitted.stream().skip(1)
-                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.USUAL.odds())
+                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.ODDS)
                                             && explains(before, other, best.convention()))
                                     .map(Weighed::convention).toList()));
         });
@@ -192,6 +191,6 @@ final class Agreement {
 
     /** Whether a fit leaves next to nothing of what a convention touches. */
     private boolean explains(Weighed before, Weighed after, Convention of) {
-        return left(after, of) < (1 - Refinement.NEARLY_ALL) * left(before, of);
+        return left(after, of) < (1 - Priors.NEARLY_ALL) * left(before, of);
     }
 }

@@ -41,7 +41,7 @@ final class ModelRuns {
         int masses = 2 * structure.links();
         free = IntStream.range(0, values.length).filter(i -> values[i] > 0 && (i < masses || structure.sharing(i - masses).length > 0))
                 .filter(i -> i < masses || !structure.held()).toArray();
-        double number = OF_HALF * Priors.USUAL.number();
+        double number = OF_HALF * Priors.NUMBER;
         deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? number : SEGMENT).toArray();
     }
 

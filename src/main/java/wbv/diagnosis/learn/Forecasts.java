@@ -5,6 +5,7 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.inference.WilcoxonSignedRankTest;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Priors;
 
 /**
@@ -15,12 +16,6 @@ import wbv.diagnosis.search.Priors;
  * @param less by stretch, in any unit: what the one leaves less than the other
  */
 record Forecasts(double[] less) {
-
-    /**
-     * Stretches: of ten to thirty few depend on each other, and all tell nearly as much (Schmeiser 1982); twelve leave room for one that
-     * chance turns.
-     */
-    private static final int STRETCHES = 12;
 
     /**
      * Of two fits, both in the same whitening.
@@ -39,9 +34,9 @@ record Forecasts(double[] less) {
      * @param other in that unit, as long. Not modified.
      */
     static Forecasts of(double[] one, double[] other) {
-        double[] less = new double[STRETCHES];
+        double[] less = new double[Effort.STRETCHES];
         for (int i = 0; i < one.length; i++) {
-            less[(int) ((long) STRETCHES * i / one.length)] += other[i] - one[i];
+            less[(int) ((long) Effort.STRETCHES * i / one.length)] += other[i] - one[i];
         }
         return new Forecasts(less);
     }
@@ -49,7 +44,7 @@ record Forecasts(double[] less) {
     /** Whether the one leaves less by more than chance. */
     boolean isBetter() {
         return StatUtils.mean(less) > 0
-                && new WilcoxonSignedRankTest().wilcoxonSignedRankTest(new double[less.length], less, true) < 2 * Priors.USUAL.chance();
+                && new WilcoxonSignedRankTest().wilcoxonSignedRankTest(new double[less.length], less, true) < 2 * Priors.CHANCE;
     }
 
     /** Square of what is left, whitened, by time, all outputs together. */

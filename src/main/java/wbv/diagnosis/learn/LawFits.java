@@ -9,19 +9,12 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Search;
 import wbv.diagnosis.search.Trial;
 
 /** Fits of laws by free run: a few steps for what is proposed, more for what leads then. */
 final class LawFits {
-
-    private static final int STEPS = 3;
-    private static final int MORE_STEPS = 10;
-    /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
-    private static final int LINEAR_STEPS = 20;
-    private static final int HALVINGS = 3;
-    /** Of many terms that are begun one in so many is fitted on. */
-    private static final int FURTHER = 4;
 
     private final Evidence evidence;
     private final Search search;
@@ -50,8 +43,9 @@ final class LawFits {
                 .orElse(scored);
         List<Fitter.State> left = Parallel.map(terms, term -> begun(fitter, there, sentences, term)).stream()
                 .filter(state -> !state.failed()).sorted(Comparator.comparingDouble(Fitter.State::reduced))
-                .limit(terms.size() / FURTHER).toList();
-        List<Fitter.State> further = Parallel.map(left, state -> fitter.fit(state.candidate(), state.x(), there.frame(), MORE_STEPS, 1e-3));
+                .limit(terms.size() / Effort.ONE_IN).toList();
+        List<Fitter.State> further = Parallel.map(left,
+                state -> fitter.fit(state.candidate(), state.x(), there.frame(), Effort.STEPS, Effort.ENOUGH));
         return part.isEmpty() ? further
                 : Parallel.map(further, state -> search.fitter().look(state.candidate(), state.x(), scored.frame()));
     }
@@ -68,7 +62,7 @@ final class LawFits {
         }
         double[] x = sentences.start(proposal, with);
         Fitter.State state = fitter.look(with, x, scored.frame());
-        for (int half = 0; half < HALVINGS && state.failed(); half++) {
+        for (int half = 0; half < Effort.FIRST_STEPS && state.failed(); half++) {
             for (Hypothesis term : proposal.terms()) {
                 int[] at = with.positions(term);
                 for (int i = 0; i < at.length; i++) {
@@ -77,14 +71,14 @@ final class LawFits {
             }
             state = fitter.look(with, x, scored.frame());
         }
-        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? Effort.FIRST_STEPS : Effort.LAST_STEPS, Effort.ENOUGH);
     }
 
     /** Fitted on, in the whitening of its own model. */
     Fitter.State settled(Fitter.State state) {
         Fitter fitter = search.fitter();
         return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()),
-                runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
+                runsFree(state.candidate()) ? Effort.STEPS : Effort.LAST_STEPS, Effort.ENOUGH);
     }
 
     private static boolean runsFree(Candidate candidate) {

@@ -16,6 +16,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Search;
@@ -26,13 +27,6 @@ import wbv.diagnosis.search.Search;
  * on data that were not used is no law.
  */
 public final class LawLearner {
-
-    /** Links that are tried, likeliest first, and how many times the excess of the likeliest place one of them may leave. */
-    private static final int LINKS = 2;
-    private static final double NEAR = 2;
-    private static final int MOST_TERMS = 4;
-    /** A form that more terms correct is another law. */
-    private static final int MOST_CORRECTING = 2;
 
     private final Evidence evidence;
     private final Fitter.State base;
@@ -74,7 +68,7 @@ public final class LawLearner {
     public List<Sentence> sentences(Fitter.State than) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            all.addAll(sentences(link, correction ? MOST_CORRECTING : MOST_TERMS, than));
+            all.addAll(sentences(link, correction ? Effort.SECONDS : Effort.TERMS, than));
         }
         // What was found from two grounds is one sentence.
         Set<String> said = new HashSet<>();
@@ -105,10 +99,10 @@ public final class LawLearner {
         if (!named.isEmpty() || places.isEmpty()) {
             return named.isEmpty() ? IntStream.range(0, count).boxed().toList() : named;
         }
-        double reach = Locator.reach(places, NEAR);
+        double reach = Locator.reach(places, Effort.ALIKE);
         return places.stream().filter(found -> found.reduced() <= reach)
                 .map(found -> found.places().get(0).plain(base.candidate().template()))
-                .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(LINKS).toList();
+                .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(Effort.SECONDS).toList();
     }
 
     private List<Sentence> sentences(int link, int most, Fitter.State than) {
@@ -183,7 +177,7 @@ public final class LawLearner {
         double shown = 1 - 1.0 / evidence.outputs().size();
         Place place = new Place(Place.Kind.LINK, link);
         return places.stream().filter(found -> found.places().get(0).equals(place))
-                .allMatch(found -> shown * found.reduced() - 1 < Priors.USUAL.carried() * (name.reduced() - 1));
+                .allMatch(found -> shown * found.reduced() - 1 < Priors.MAJORITY * (name.reduced() - 1));
     }
 
     /**

@@ -9,6 +9,7 @@ import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
 import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
@@ -16,11 +17,6 @@ import wbv.diagnosis.search.Search;
 
 /** Whether a law is asked for, and whether one that was fitted holds: on data that were not used, and against what is known without it. */
 public final class LawProof {
-
-    /** How many of the most evident laws are asked to hold. */
-    private static final int HELD_OUT = 3;
-    /** How many times the excess of the name a law may leave that is polished. */
-    private static final double NEAR = 2;
 
     private final Evidence evidence;
     private final Search search;
@@ -42,7 +38,7 @@ public final class LawProof {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && named.best().reduced() > Refinement.SILENT
+        return physics && named.best().reduced() > Priors.SILENT
                 && !((named.evidence().onRig() || named.evidence().standsForSimulation())
                         && Refinement.explainsNearlyAll(named.base(), named.best()));
     }
@@ -58,8 +54,8 @@ public final class LawProof {
     }
 
     private static boolean leavesMuch(Fits named) {
-        double right = Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
-        return named.best().reduced() > Refinement.SILENT && named.best().reduced() - 1 > right;
+        double right = Priors.FORM * Priors.FORM * (named.base().reduced() - 1);
+        return named.best().reduced() > Priors.SILENT && named.best().reduced() - 1 > right;
     }
 
     /**
@@ -73,14 +69,14 @@ public final class LawProof {
         Fitter.State than = name.fit();
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
-        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
-        List<Sentence> near = sentences.stream().filter(Sentence::shows).limit(HELD_OUT)
+        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + Effort.ALIKE * (than.reduced() - floor());
+        List<Sentence> near = sentences.stream().filter(Sentence::shows).limit(Effort.LEADERS)
                 .filter(sentence -> sentence.fit().reduced() < reach).toList();
         return Parallel.map(near, sentence -> sentence.fitted(search.refinement().polish(sentence.fit()))).stream()
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
                     return evident && (correction && evidence.onRig() ? foretells(sentence.fit(), than)
-                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
+                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.MAJORITY));
                 }).findFirst();
     }
 

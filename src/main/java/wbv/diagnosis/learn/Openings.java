@@ -18,6 +18,8 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Effort;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
@@ -27,18 +29,6 @@ import wbv.diagnosis.search.Search;
  * once.
  */
 final class Openings {
-
-    /** Sentences that are begun by free run, and those of them that are fitted to the end. */
-    private static final int FITTED = 6;
-    private static final int POLISHED = 3;
-    /**
-     * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
-     * another place the right one came second to 125th along the motion as measured, and of the three that were begun among the first five
-     * after three steps of its free run.
-     */
-    private static final int BEGUN = 64;
-    /** Terms [1] of a sentence that are begun together: effort, since of two thousand terms the pairs can still all be scored. */
-    private static final int FIRST = 2;
 
     private final Evidence evidence;
     private final Search search;
@@ -73,17 +63,18 @@ final class Openings {
             return first;
         }
         Sentence best = weighing.best(first.sentences());
-        boolean enough = best.fit().reduced() <= Refinement.SILENT || best.isHopelessBeside(than);
+        boolean enough = best.fit().reduced() <= Priors.SILENT || best.isHopelessBeside(than);
         return enough ? first : first.and(along(link, best.fit()));
     }
 
     private Opening asMeasured(int link, double[] x) {
         return once(link, Arrays.stream(x).boxed().toList(),
-                () -> opened(Ground.asMeasured(evidence, base.candidate(), x, BEGUN), link, FIRST, term -> true));
+                () -> opened(Ground.asMeasured(evidence, base.candidate(), x, Effort.BEGUN_TERMS), link, Effort.SECONDS, term -> true));
     }
 
     private Opening along(int link, Fitter.State fit) {
-        return once(link, fit, () -> opened(Ground.along(evidence, base.candidate(), fit, BEGUN / 2), link, FIRST, term -> true));
+        return once(link, fit,
+                () -> opened(Ground.along(evidence, base.candidate(), fit, Effort.BEGUN_TERMS / 2), link, Effort.SECONDS, term -> true));
     }
 
     private Opening once(int link, Object ground, Supplier<Opening> find) {
@@ -137,7 +128,8 @@ final class Openings {
         List<Sentences.Proposal> promising = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
-                .flatMap(length -> promising.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
+                .flatMap(length -> promising.stream().filter(proposal -> proposal.terms().size() == length).limit(Effort.FINALISTS / most))
+                .toList();
         List<Fitter.State> finalists = new ArrayList<>(
                 first(Parallel.map(proposals, proposal -> LawFits.begun(fitter, scored, sentences, proposal)), vocabulary));
         // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
@@ -158,7 +150,7 @@ final class Openings {
     private List<Fitter.State> first(List<Fitter.State> states, Vocabulary vocabulary) {
         return weighing.of(states.stream().filter(state -> !state.failed()).map(state -> weighing.begun(state, vocabulary)).toList())
                 .stream()
-                .limit(POLISHED)
+                .limit(Effort.LEADERS)
                 .map(Sentence::fit).toList();
     }
 }

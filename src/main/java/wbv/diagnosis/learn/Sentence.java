@@ -4,6 +4,7 @@ import java.util.List;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Refinement;
 
 /**
@@ -18,9 +19,6 @@ import wbv.diagnosis.search.Refinement;
  * @param words   among which its terms were chosen
  */
 public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, double without, double least, Vocabulary words) {
-
-    /** How many times the excess of what is known without a law its first terms may leave for others to be sought beside them. */
-    private static final double HOPELESS = 10;
 
     public Sentence {
         terms = List.copyOf(terms);
@@ -57,7 +55,7 @@ public record Sentence(Fitter.State fit, List<Hypothesis> terms, double left, do
 
     /** Whether it leaves so much more than what is known without a law that no further term helps. */
     boolean isHopelessBeside(Fitter.State than) {
-        return Refinement.excess(fit.reduced()) > HOPELESS * Refinement.excess(than.reduced());
+        return Refinement.excess(fit.reduced()) > Effort.HOPELESS * Refinement.excess(than.reduced());
     }
 
     /** The same, fitted further. */

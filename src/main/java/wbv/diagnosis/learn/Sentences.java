@@ -19,6 +19,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.PartialledOut;
 import wbv.diagnosis.search.Screening;
 
@@ -29,9 +30,6 @@ import wbv.diagnosis.search.Screening;
  */
 final class Sentences {
 
-    /** First terms to which others are added, and terms that stand alone or may come next. */
-    private static final int BEGUN = 8;
-    private static final int NEXT = 160;
     private static final int ROUNDS = 4;
 
     private final Fitter.State state;
@@ -90,14 +88,15 @@ final class Sentences {
         List<Column> columns = new ArrayList<>();
         List<Column> firsts = new ArrayList<>();
         Parallel.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
-                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT)
+                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(Effort.NEXT_TERMS)
                 .forEach(starts -> {
                     firsts.add(starts.get(0));
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
                     likely.add(starts.get(0).term());
                 });
-        List<Proposal> out = new ArrayList<>(firsts.stream().skip(BEGUN).map(first -> proposal(List.of(first))).toList());
-        for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variant))) {
+        List<Proposal> out = new ArrayList<>(firsts.stream().skip(Effort.FIRST_TERMS).map(first -> proposal(List.of(first))).toList());
+        for (Column first : Parallel.map(firsts.subList(0, Math.min(Effort.FIRST_TERMS, firsts.size())),
+                first -> varied(refined(first), variant))) {
             List<Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen));
             while (chosen.size() < most) {

@@ -41,7 +41,7 @@ public record Calibration(double forms, double chance, double lapse, int answers
      * @param without excess of the model alone [1]
      */
     public static double unlisted(double without) {
-        return Priors.USUAL.unlisted() * without;
+        return Priors.UNLISTED * without;
     }
 
     private static Calibration read() {
@@ -63,6 +63,17 @@ public record Calibration(double forms, double chance, double lapse, int answers
      */
     public double evidence(double left, double least) {
         return -forms / 2 * Math.log(left - least + Math.max(least - 1, chance));
+    }
+
+    /**
+     * Whether a hypothesis is less likely than another by no more than a number more in its formula would cost.
+     *
+     * @param left mean square of the whitened residual that it leaves [1]
+     * @param otherLeft that the other leaves of the same data [1]
+     */
+    public boolean isAsLikely(double left, double otherLeft) {
+        double least = Math.min(left, otherLeft);
+        return evidence(left, least) > evidence(otherLeft, least) - price();
     }
 
     /**

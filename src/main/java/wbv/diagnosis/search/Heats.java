@@ -12,13 +12,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /** Hypotheses race for the best fit, in heats: a few steps for all that are on the shortlist, the whole way for those that lead then. */
 final class Heats {
 
-    private static final int FINALISTS = 6;
-    private static final double HOPELESS = 10;
-    private static final int RIVALS = 2;
-    private static final double CLEAN = 1.1;
     private static final Comparator<Trial> LEAST = Comparator.comparingDouble(Trial::cost);
-    private static final double PROMISING = 0.3;
-    private static final int GOING_ON = 16;
     private static final double[] GAINS = {0, 0.8, -0.8};
 
     private final Evidence evidence;
@@ -42,13 +36,13 @@ final class Heats {
      */
     List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whereabouts where) {
         // Where the first mechanism leaves much, the second is as large as any first.
-        boolean second = !base.candidate().added().isEmpty() && base.reduced() < Refinement.MUCH;
+        boolean second = !base.candidate().added().isEmpty() && base.reduced() < Priors.GLARING;
         List<Screening.Score> chosen = new Shortlist(evidence).of(base, scores, second);
         Function<Hypothesis, List<double[]>> from = from(base, where);
         Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
         List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
-        boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * Refinement.excess(base.reduced());
+        boolean promising = !heat.isEmpty() && heat.get(0).excess() < Priors.UNLISTED * Refinement.excess(base.reduced());
         if (promising) {
             goOn(base, heat);
         }
@@ -56,7 +50,7 @@ final class Heats {
             heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
             goOn(base, heat);
         }
-        int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
+        int finalists = near(heat, second ? Effort.FINALISTS / 2 : Effort.FINALISTS);
         finalists += promised(heat, finalists, chosen) ? 1 : 0;
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
@@ -119,7 +113,7 @@ final class Heats {
         }
         heat.sort(LEAST);
         // No leader yet: look farther down.
-        int most = heat.get(0).excess() < PROMISING * Refinement.excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;
+        int most = heat.get(0).excess() < Priors.UNLISTED * Refinement.excess(base.reduced()) ? Effort.CONTENDERS : 2 * Effort.CONTENDERS;
         List<Trial> near = heat.subList(0, near(heat, most));
         List<Trial> further = Parallel.map(near, Trial::onward);
         for (int i = 0; i < further.size(); i++) {
@@ -130,13 +124,13 @@ final class Heats {
 
     /** How many of the first in a heat are near enough to the leader to win yet: the rest are left where they stand. */
     private static int near(List<Trial> heat, int most) {
-        double reach = heat.isEmpty() ? 0 : HOPELESS * heat.get(0).excess();
+        double reach = heat.isEmpty() ? 0 : Effort.HOPELESS * heat.get(0).excess();
         int near = (int) heat.stream().takeWhile(trial -> trial.excess() <= reach).count();
-        return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
+        return Math.min(Math.min(most, heat.size()), Math.max(Effort.SECONDS, near));
     }
 
     /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */
     private static boolean clean(Fitter.State base, Trial linear) {
-        return base.reduced() > Refinement.PLAIN && linear.first().reduced() < CLEAN;
+        return base.reduced() > Priors.GLARING && linear.first().reduced() < Priors.SILENT;
     }
 }

@@ -29,8 +29,6 @@ import wbv.diagnosis.fit.Slot;
  */
 public record MassScale(double factor, double deviation) {
 
-    /** How well a user knows the masses of the model, each on its own [1]. */
-    private static final double KNOWN = 0.1;
     private static final MassScale NONE = new MassScale(1, 0);
 
     /**
@@ -51,7 +49,7 @@ public record MassScale(double factor, double deviation) {
         int n = state.x().length;
         int bodies = evidence.model().bodies().size();
         long known = evidence.model().bodies().stream().filter(body -> body.massOf().isEmpty()).count();
-        double precision = 1 / (KNOWN * KNOWN);
+        double precision = 1 / (Priors.MASS * Priors.MASS);
         double[][] a = new double[n + 1][];
         double[] b = new double[n + 1];
         for (int i = 0; i < n; i++) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.apache.commons.math3.distribution.NormalDistribution;
 import wbv.body.SensorFault;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -23,10 +24,10 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 public final class OddSensor {
 
-    /** How rarely one sensor's delay stands at its bound: three standard deviations on either side. */
-    private static final double RARE = 0.0027;
-    /** Part of what is so rare that counts as that: a delay at its bound stands a thousandth before it, and squares count. */
-    private static final double NEARLY = 0.998;
+    /** How rarely one sensor's delay stands at its bound, on either side. */
+    private static final double RARE = 2 * new NormalDistribution().cumulativeProbability(-SmallError.MOST);
+    /** Part of its bound at which a delay stands that a fit holds there [1]. */
+    private static final double AT_BOUND = 0.999;
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -73,7 +74,7 @@ public final class OddSensor {
                     .mapToDouble(channel -> fit.frame().nuisances().delays().of(channel, fit.errors()) / deviation)
                     .toArray();
             double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
-            return Arrays.stream(late).map(z -> z * z).sum() > NEARLY * most
+            return Arrays.stream(late).map(z -> z * z).sum() > AT_BOUND * AT_BOUND * most
                     && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
         }).boxed().toList();
     }

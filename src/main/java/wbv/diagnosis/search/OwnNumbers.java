@@ -31,7 +31,7 @@ public final class OwnNumbers {
         }
         Fitter.State sloped = fitter.lookWithSlopes(fit.candidate(), fit.x(), fit.frame());
         double[][] curvature = sloped.failed() ? new double[0][] : new Normal(sloped).curvature();
-        double scale = Priors.USUAL.number();
+        double scale = Priors.NUMBER;
         return -Arrays.stream(moved).mapToDouble(i -> fit.x()[i] * fit.x()[i] / (scale * scale + variance(curvature, i))).map(Math::log1p)
                 .sum();
     }

@@ -28,18 +28,6 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 public final class PairSearch {
 
-    private static final int FIRSTS = 2;
-    /** Part of what one place leaves from which on another explains nothing beside it. */
-    private static final double NEEDLESS = 0.5;
-    /** How many times what all data show beside a place a part of them may show less and still be enough. */
-    private static final double ALIKE = 2;
-    /** Part of the mismatch that a mechanism explains if it is at least one of those that are missing. */
-    private static final double HALF = 0.5;
-    /**
-     * Part of the mismatch [1] that nothing at the likeliest place explains, less of which is not asked for a place of its own: 95 of 101
-     * right names left as much, see {@link Priors}.
-     */
-    private static final double REST = 0.1;
     /** The least that counts as an excess. */
     public static final double QUIET = Refinement.excess(1);
 
@@ -76,7 +64,7 @@ public final class PairSearch {
         }
         Place own = Place.ofLast(single);
         Looked looked = looked(own);
-        if (Refinement.explained(base, single) < HALF && atOnePlace(looked.singles().get(0))) {
+        if (Refinement.explained(base, single) < Priors.MAJORITY && atOnePlace(looked.singles().get(0))) {
             return Chosen.single(single);   // and no mechanism is near it
         }
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
@@ -138,7 +126,7 @@ public final class PairSearch {
      */
     private static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
         List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
-        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
+        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > Priors.MAJORITY * alone);
     }
 
     /**
@@ -147,7 +135,7 @@ public final class PairSearch {
      * @param best as a part of the data may show it
      */
     private boolean atOnePlace(Known.Ignoring best) {
-        double most = Math.max(QUIET, REST * Refinement.excess(base.reduced()));
+        double most = Math.max(QUIET, Priors.FORM * Refinement.excess(base.reduced()));
         return Refinement.excess(best.reduced()) <= most
                 && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
     }
@@ -159,7 +147,8 @@ public final class PairSearch {
     private Looked looked(Place own) {
         Locator whole = new Locator(evidence, base.candidate());
         return evidence.brief().map(part -> new Locator(part, base.candidate())).map(part -> new Looked(part, part.singles(base.x())))
-                .filter(part -> Refinement.excess(whole.left(own, base.x())) < ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
+                .filter(part -> Refinement.excess(whole.left(own, base.x()))
+                        < Effort.ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
                 .orElseGet(() -> new Looked(whole, whole.singles(base.x())));
     }
 
@@ -170,7 +159,7 @@ public final class PairSearch {
      */
     private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Function<Fitter.State, Predicate<Hypothesis>> partners) {
         List<Chosen> out = new ArrayList<>();
-        for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
+        for (Fitter.State first : leaders.subList(0, Math.min(Effort.SECONDS, leaders.size()))) {
             if ((out.isEmpty() || Refinement.excess(least(out).fit().reduced()) > QUIET)
                     && (first == single || first.cost() < base.cost())) {
                 beside(first, partners.apply(first)).ifPresent(out::add);
@@ -188,7 +177,7 @@ public final class PairSearch {
         return pairs.stream().min(Comparator.comparingDouble(pair -> pair.fit().reduced())).orElseThrow();
     }
 
-    /** The most credible second mechanism, sought where something still enters that the first does not explain. */
+    /** The best second mechanism, sought where something still enters that the first does not explain. */
     private Optional<Chosen> beside(Fitter.State first, Predicate<Hypothesis> partners) {
         if (!Double.isFinite(first.cost())) {
             return Optional.empty();   // a run that left all bounds has nothing to be found beside it

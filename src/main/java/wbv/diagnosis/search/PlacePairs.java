@@ -23,20 +23,6 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 final class PlacePairs {
 
-    private static final int FIRSTS = 2;
-    /** How many pairs of laws are fitted to the end, and how many times the excess of the best they may leave before. */
-    private static final int FINALISTS = 4;
-    private static final double BEGUN = 3;
-    /** As how many mechanisms each of two is tried. */
-    private static final int RIVALS = 2;
-    private static final double MOST = 0.6;
-    /** How many times the excess of the best pair of places another may leave and still be the pair. */
-    private static final double ALIKE = 2;
-    /** Part of the whole mismatch by which what two places leave scatters, since noise is seen through numbers that fit them. */
-    private static final double SCATTER = 0.012;
-    /** How many times what two places have to leave a pair may leave because its laws have another form. */
-    private static final double FORM = 4;
-
     private final Evidence evidence;
     private final BiConsumer<String, Double> progress;
     private final Search search;
@@ -56,12 +42,12 @@ final class PlacePairs {
      * @param leaders single hypotheses fitted with nothing ignored
      */
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
-        double good = Locator.reach(places, FORM);
+        double good = Locator.reach(places, Effort.BEHIND);
         List<Known.Ignoring> near = near(places, base);
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
         Set<Place> tried = new HashSet<>();
-        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(FIRSTS).toList()) {
+        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(Effort.SECONDS).toList()) {
             if (!tried.add(one)) {
                 continue;
             }
@@ -85,18 +71,18 @@ final class PlacePairs {
 
     /** Pairs of places that leave about as little as the best. */
     static List<Known.Ignoring> near(List<Known.Ignoring> places, Fitter.State base) {
-        double reach = reach(places, ALIKE, base);
+        double reach = reach(places, Effort.ALIKE, base);
         return places.stream().filter(pair -> pair.reduced() < reach).toList();
     }
 
     /** What two places may leave beside which a pair of laws may still do. */
     static double reach(List<Known.Ignoring> places, Fitter.State base) {
-        return reach(places, FORM, base);
+        return reach(places, Effort.BEHIND, base);
     }
 
     /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
     private static double reach(List<Known.Ignoring> places, double times, Fitter.State base) {
-        return Math.max(Locator.reach(places, times), 1 + times * SCATTER * (base.reduced() - 1));
+        return Math.max(Locator.reach(places, times), 1 + times * Priors.SCATTER * (base.reduced() - 1));
     }
 
     /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
@@ -108,7 +94,7 @@ final class PlacePairs {
     }
 
     /**
-     * The most credible mechanism that shows where a place is ignored, and others at its place that explain about as much.
+     * The best mechanism that shows where a place is ignored, and others at its place that explain about as much.
      *
      * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
      */
@@ -116,20 +102,20 @@ final class PlacePairs {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
         Fitter.State without = blind.base(baseline, places.values().iterator().next());
-        if (without.reduced() < Refinement.SILENT) {
+        if (without.reduced() < Priors.SILENT) {
             return List.of();
         }
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
-        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
+        List<Fitter.State> fits = blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        List<Fitter.State> shown = blind.credible(fits).stream()
-                .filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > MOST)
+        List<Fitter.State> shown = fits.stream()
+                .filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > Priors.MAJORITY)
                 .toList();
         Set<String> mechanisms = new HashSet<>();
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
-                && Refinement.excess(fit.reduced()) < ALIKE * Refinement.excess(shown.get(0).reduced())
-                && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
+                && Refinement.excess(fit.reduced()) < Effort.ALIKE * Refinement.excess(shown.get(0).reduced())
+                && mechanisms.add(fit.candidate().last().mechanism())).limit(Effort.SECONDS).toList();
     }
 
     /**
@@ -161,8 +147,8 @@ final class PlacePairs {
         List<Fitter.State> begun = new ArrayList<>(Parallel.map(both, pair -> joined(base, pair[0], pair[1])));
         begun.removeIf(Fitter.State::failed);
         begun.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        double near = begun.isEmpty() ? 0 : 1 + BEGUN * Refinement.excess(begun.get(0).reduced());
-        List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(FINALISTS).toList();
+        double near = begun.isEmpty() ? 0 : 1 + Effort.BEHIND * Refinement.excess(begun.get(0).reduced());
+        List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(Effort.LEADERS).toList();
         return Parallel.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
     }
 

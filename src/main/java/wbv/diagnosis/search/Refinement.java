@@ -14,26 +14,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /** Fits hypotheses to their end, every law by free run, and says what is left of a mismatch then. */
 public final class Refinement {
 
-    /**
-     * Below this much of the noise nothing is missing that a recording could show: of 107 recordings in which nothing was concealed, with
-     * sensors and sitters as they are, the fits leave 1.02 with a standard deviation of 0.03 (rig) to 0.05 (road) and never more than 1.13,
-     * on either window.
-     */
-    public static final double SILENT = 1.2;
-    /** What is more cannot be the noise by any chance. */
-    public static final double STRANGE = 3;
-    private static final double DISTORTED = 0.35;
     /** Steps of a moment that are tried, in its own unit [1]. */
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
-    /** What is left of a mismatch so plain that a law could not pass for something linear. */
-    public static final double PLAIN = 10;
-    private static final double PLAIN_IN_PART = 3;
-    /** Part of a mismatch from which on a mechanism explains nearly all of it: no second helps it, and no other law in its place. */
-    public static final double NEARLY_ALL = 0.95;
-    /** What no law's form leaves: then something else is missing too. */
-    public static final double MUCH = 12;
-    private static final int BEGINNING = 4;
-    private static final int LAW_STEPS = 10;
 
     private final Evidence evidence;
     private final Fitter fitter;
@@ -47,7 +29,7 @@ public final class Refinement {
     public static boolean bent(Fitter.State base) {
         return IntStream.range(0, base.x().length)
                 .anyMatch(i -> base.candidate().knobs().get(i).unit() == 0 && base.candidate().knobs().get(i).deviation() > 1
-                        && Math.abs(base.x()[i]) > DISTORTED);
+                        && Math.abs(base.x()[i]) > Priors.NUMBER);
     }
 
     /**
@@ -55,13 +37,14 @@ public final class Refinement {
      * other numbers explains the part: what goes by the clock is not in it, and anything that comes with free numbers would explain it.
      */
     public Optional<Trial.Ground> brief(Fitter.State base) {
-        if (base.reduced() < PLAIN_IN_PART || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
+        if (base.reduced() < Priors.STRANGE || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
             return Optional.empty();
         }
         return evidence.brief().flatMap(part -> {
             Fitter own = new Fitter(part);
             Fitter.State there = own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit()));
-            return own.fit(base.candidate(), base.x(), there, BEGINNING, 1e-3).reduced() < PLAIN_IN_PART ? Optional.empty()
+            return own.fit(base.candidate(), base.x(), there, Effort.FIRST_STEPS, Effort.ENOUGH).reduced() < Priors.STRANGE
+                    ? Optional.empty()
                     : Optional.of(Trial.Ground.of(own, there));
         });
     }
@@ -72,12 +55,12 @@ public final class Refinement {
      * @param reduced mean square of a whitened residual
      */
     public static double excess(double reduced) {
-        return Math.max(reduced - 1, 0.5);
+        return Math.max(reduced - 1, Priors.LOUD - 1);
     }
 
-    /** Whether a fit explains {@link #NEARLY_ALL} of the mismatch of a base. */
+    /** Whether a fit explains {@link Priors#NEARLY_ALL} of the mismatch of a base. */
     public static boolean explainsNearlyAll(Fitter.State base, Fitter.State fit) {
-        return explained(base, fit) > NEARLY_ALL;
+        return explained(base, fit) > Priors.NEARLY_ALL;
     }
 
     /** Part of a mismatch that is explained, 0 to 1. */
@@ -96,7 +79,7 @@ public final class Refinement {
 
     /** A trial fitted to its end, in the whitening of what it stands on. */
     Fitter.State finish(Fitter.State begun, Fitter.State base) {
-        return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), 6, 2e-3), 1);
+        return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), Effort.STEPS, Effort.ENOUGH), 1);
     }
 
     /** A moment is not found by slopes: steps of it are tried, and the rest refitted, until none helps. */
@@ -118,7 +101,7 @@ public final class Refinement {
                 if (best == start) {
                     break;
                 }
-                Fitter.State again = fitter.fit(best.candidate(), best.x(), best.frame(), 5, 1e-3);
+                Fitter.State again = fitter.fit(best.candidate(), best.x(), best.frame(), Effort.FIRST_STEPS, Effort.ENOUGH);
                 best = again.cost() < best.cost() ? again : best;
             }
         }
@@ -155,17 +138,20 @@ public final class Refinement {
     /** The same without polish, in the frame given; failed if all starts fail. */
     Fitter.State fitted(Candidate on, Hypothesis hypothesis, double[] x, Fitter.Frame frame, List<double[]> starts) {
         Candidate with = on.with(hypothesis);
-        return Parallel.map(starts, values -> fitter.fit(with, on.extended(x, with, hypothesis, values), frame, LAW_STEPS, 1e-3)).stream()
+        return Parallel
+                .map(starts, values -> fitter.fit(with, on.extended(x, with, hypothesis, values), frame, Effort.STEPS, Effort.ENOUGH))
+                .stream()
                 .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
     }
 
     /** The first steps from coordinates at which nothing was simulated yet, in the whitening of the model there. */
     Fitter.State begun(Candidate candidate, double[] x) {
-        return fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), BEGINNING, 1e-3);
+        return fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), Effort.FIRST_STEPS, Effort.ENOUGH);
     }
 
     private Fitter.State polishedOnce(Candidate candidate, double[] x) {
-        return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), 15, 3e-4), 4);
+        return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), Effort.LAST_STEPS, Effort.FINE),
+                Effort.FIRST_STEPS);
     }
 
     /** χ² per number on the held-out window [1]. */

@@ -10,7 +10,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Baseline;
@@ -30,14 +29,6 @@ import wbv.diagnosis.mechanism.Scene;
  * alike.
  */
 public final class Search {
-
-    /** Single mechanisms that are fitted to the end. */
-    public static final int LEADERS = 3;
-    private static final double REACH = 10;
-    /** How many times what the best leaves a fit may leave and still be the best in another form. */
-    private static final double FORM = 4;
-    /** How much more than the best another may leave, in units of what the best leaves, and still fit about as well. */
-    private static final double NEAR = 1.5;
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -87,8 +78,8 @@ public final class Search {
      */
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
-        for (int round = 0; round < 3; round++) {
-            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4).x();
+        for (int round = 0; round < Effort.ROUNDS; round++) {
+            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.LAST_STEPS, Effort.FINE).x();
         }
         return fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit()));
     }
@@ -137,15 +128,15 @@ public final class Search {
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where);
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
-        double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
+        double reach = fits.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(fits.get(0).reduced());
         List<Fitter.State> ahead = fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).toList();
         List<Fitter.State> chosen = fits.stream().filter(fit -> ahead.contains(fit) || scores.get(0).promisesMore(base, fit)).toList();
         List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polish));
         fits.stream().filter(fit -> !chosen.contains(fit)).forEach(out::add);
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!evidence.onRig() && !out.isEmpty()) {
-            double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
-            List<Fitter.State> first = out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).toList();
+            double near = 1 + Effort.BEHIND * Refinement.excess(out.get(0).reduced());
+            List<Fitter.State> first = out.stream().limit(Effort.LEADERS).filter(fit -> fit.reduced() < near).toList();
             Yielding yielding = new Yielding(refinement, all, base);
             FurtherForm further = new FurtherForm(refinement, base);
             Stream.<Function<Fitter.State, List<Fitter.State>>>of(yielding::rivals, further::rivals)
@@ -163,65 +154,10 @@ public final class Search {
                 .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
     }
 
-    /**
-     * The fits, those last that need a number of the model to be far off where another that fits about as well needs none: play of which
-     * the spring would have to be several times as stiff as given is hardening where the given stiffness is right.
-     */
-    public List<Fitter.State> credible(List<Fitter.State> leaders) {
-        List<Fitter.State> near = rivals(leaders);
-        List<Optional<Fitter.State>> plain = Parallel.map(near, fit -> plain(fit, reach(leaders)));
-        List<Fitter.State> out = new ArrayList<>(plain.stream().flatMap(Optional::stream).toList());
-        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        int any = out.size();
-        out.addAll(leaders.subList(near.size(), leaders.size()));
-        out.addAll(any > 0 ? out.size() : 0,
-                IntStream.range(0, near.size()).filter(i -> plain.get(i).isEmpty()).mapToObj(near::get).toList());
-        return out;
-    }
-
-    /** The first of the credible ones that does not stand at a bound that nothing real has; only what may still be it is looked at. */
-    Optional<Fitter.State> first(List<Fitter.State> leaders) {
-        Optional<Fitter.State> best = Optional.empty();
-        for (Fitter.State fit : rivals(leaders)) {
-            // What is held to the given numbers leaves no less than it did without.
-            if (best.isPresent() && best.get().reduced() <= fit.reduced()) {
-                break;
-            }
-            Optional<Fitter.State> earlier = best;
-            best = plain(fit, reach(leaders)).filter(it -> !extreme(it))
-                    .filter(it -> earlier.isEmpty() || it.reduced() < earlier.get().reduced()).or(() -> earlier);
-        }
-        return best.or(() -> credible(leaders).stream().filter(fit -> !extreme(fit)).findFirst());
-    }
-
-    /**
-     * The first few fits, if there are two or more that fit about as well, so that the model's own numbers may decide between them where
-     * they were given, see {@link OddLink}.
-     */
-    private List<Fitter.State> rivals(List<Fitter.State> leaders) {
-        int near = evidence.onRig() || evidence.standsForSimulation() ? 0
-                : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
-        return leaders.subList(0, near < 2 ? 0 : near);
-    }
-
-    private static double reach(List<Fitter.State> leaders) {
-        return leaders.get(0).reduced() + NEAR * Math.max(leaders.get(0).reduced() - 1, 0.1);
-    }
-
-    /** A fit that needs no number of the model to be far off, if it is held to what others say; empty where it then leaves too much. */
-    private Optional<Fitter.State> plain(Fitter.State fit, double reach) {
-        Optional<OddLink> link = odd(fit);
-        return link.isEmpty() ? Optional.of(fit)
-                : link.map(it -> it.held(fitter, fit)).filter(it -> it.reduced() < reach && odd(it).isEmpty());
-    }
-
-    private Optional<OddLink> odd(Fitter.State fit) {
-        return OddLink.in(fitter.lookWithSlopes(fit.candidate(), fit.x(), fit.frame()));
-    }
-
-    /** The most credible hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
+    /** The best hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
     Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
-        return first(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where));
+        return leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where).stream().filter(fit -> !extreme(fit))
+                .findFirst();
     }
 
     /**

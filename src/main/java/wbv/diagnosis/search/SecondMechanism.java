@@ -17,23 +17,10 @@ import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * A second mechanism beside one that leaves little: too little to be seen before the first was named. Either a number of the model still
- * has to be far off, which a memory would spare it, or what is left goes with one more hypothesis, on data not used as well.
+ * A second mechanism beside one that leaves little: too little to be seen before the first was named. What is left has to come from another
+ * place and to go with one more hypothesis, on data not used as well.
  */
 public final class SecondMechanism {
-
-    /** What is left of the mean square that is worth a search. */
-    private static final double WORTH = 1.25;
-    private static final double LEAST_DROP = 0.1;
-    /** The same where the model's own numbers speak for it. */
-    private static final double LEAST_PART = 0.04;
-    /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
-    private static final double NEARLY = 0.5;
-
-    /** How many times the excess that the likeliest place leaves another may leave and still be where it comes from. */
-    private static final double NEAR = 2;
-    /** Part of what cannot come from the first one's place that has to come from another, to be more than scatter. */
-    private static final double CLEARLY = 0.2;
 
     private final Evidence evidence;
     private final Search search;
@@ -52,37 +39,10 @@ public final class SecondMechanism {
         this.refinement = search.refinement();
     }
 
-    /**
-     * The fit with a second mechanism; empty where nothing asks for one.
-     *
-     * @param searched whether a second one was looked for already
-     */
-    public Optional<Chosen> of(Fitter.State single, boolean searched) {
-        if (evidence.onRig()) {
-            return Optional.empty();
-        }
-        Optional<Chosen> odd = byNumber(single).map(Chosen::single);
-        return odd.isPresent() || searched ? odd : byWhatIsLeft(single);
-    }
-
-    /** Where another link's stiffness is odd, what spares it that. */
-    private Optional<Fitter.State> byNumber(Fitter.State single) {
-        Optional<OddLink> odd = evidence.standsForSimulation() ? Optional.empty()
-                : OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
-        return odd.filter(link -> !Place.ofLast(single).equals(new Place(Place.Kind.LINK, link.link())))
-                .flatMap(link -> search.best(single, h -> link.isMemory(h)).map(fit -> link.held(search.fitter(), fit))
-                        .filter(link::cameBack))
-                .filter(fit -> single.reduced() - fit.reduced() > LEAST_PART * (single.reduced() - 1)
-                        && carriesOver(single, fit));
-    }
-
-    private boolean carriesOver(Fitter.State single, Fitter.State fit) {
-        double held = refinement.heldOut(single);
-        return held - refinement.heldOut(fit) > LEAST_PART * (held - 1);
-    }
-
-    private Optional<Chosen> byWhatIsLeft(Fitter.State single) {
-        Set<Place> elsewhere = Math.min(single.reduced(), refinement.heldOut(single)) < WORTH ? Set.of() : elsewhere(single);
+    /** The fit with a second mechanism; empty where nothing asks for one. */
+    public Optional<Chosen> of(Fitter.State single) {
+        boolean asked = !evidence.onRig() && Math.min(single.reduced(), refinement.heldOut(single)) > Priors.SILENT;
+        Set<Place> elsewhere = asked ? elsewhere(single) : Set.of();
         return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
                 .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
     }
@@ -102,9 +62,8 @@ public final class SecondMechanism {
         double own = first.isSensor()
                 ? first.channels(evidence).stream().mapToDouble(o -> left.get(new Place(Place.Kind.SENSOR, o))).min().orElseThrow()
                 : left.get(first);
-        double clearly = own - CLEARLY * Math.max(own - 1, LEAST_DROP);
-        double near = 1 + NEAR * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
-        return left.keySet().stream().filter(place -> left.get(place) < clearly && left.get(place) <= near)
+        double near = 1 + Effort.ALIKE * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
+        return left.keySet().stream().filter(place -> !Calibration.standard().isAsLikely(own, left.get(place)) && left.get(place) <= near)
                 .map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
@@ -115,8 +74,7 @@ public final class SecondMechanism {
         if (!(found.additions().get(0) instanceof Addition.InLink in && in.law() instanceof Reflex)) {
             return fit;
         }
-        double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);
         return search.best(single, h -> found.kind().yieldsTo(h) && h.where().equals(found.where()))
-                .filter(other -> other.reduced() < enough).orElse(fit);
+                .filter(other -> Calibration.standard().isAsLikely(other.reduced(), fit.reduced())).orElse(fit);
     }
 }

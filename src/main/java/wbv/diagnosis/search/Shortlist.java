@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
@@ -15,11 +16,8 @@ import wbv.diagnosis.fit.Fitter;
 /** Which of the hypotheses that were screened are refitted. */
 final class Shortlist {
 
-    private static final int LINEAR = 12;
-    private static final int LAWS = 10;
-    private static final double LEAST_GAIN = 8;
-    /** So few links are all looked at for every kind of law. */
-    private static final int FEW = 3;
+    /** Gain that chance seldom makes: of one strength, twice its nats are χ² with one degree of freedom. */
+    private static final double SEEN = new ChiSquaredDistribution(1).inverseCumulativeProbability(1 - Priors.CHANCE);
 
     private final Evidence evidence;
 
@@ -35,7 +33,8 @@ final class Shortlist {
     List<Screening.Score> of(Fitter.State base, List<Screening.Score> scores, boolean second) {
         Set<String> links = scores.stream().filter(score -> score.hypothesis().runsFree()).map(score -> score.hypothesis().where())
                 .collect(Collectors.toSet());
-        return choose(scores, second, links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base)), Refinement.bent(base));
+        return choose(scores, second, links.size() <= Effort.FEW ? links : second ? Set.of() : Set.of(carryingLink(base)),
+                Refinement.bent(base));
     }
 
     /** The link in which an arbitrary force would explain most; empty with a single output, where each would explain all. */
@@ -57,8 +56,8 @@ final class Shortlist {
      * @param bent whether the refit went far
      */
     private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, Set<String> carrying, boolean bent) {
-        int mostLaws = second ? LAWS / 2 : LAWS;
-        int mostLinear = second ? LINEAR / 2 : LINEAR;
+        int mostLaws = second ? Effort.LAWS / 2 : Effort.LAWS;
+        int mostLinear = second ? Effort.LINEAR / 2 : Effort.LINEAR;
         List<Screening.Score> chosen = new ArrayList<>();
         int linear = 0;
         int laws = 0;
@@ -68,7 +67,7 @@ final class Shortlist {
             boolean first = law && carrying.contains(score.hypothesis().where())
                     && (kinds.add(score.hypothesis().mechanism() + score.hypothesis().where()) || bent && !second);
             if (first || !second && (score.hypothesis().overturns() || score.hypothesis().kind().isAlwaysRefitted())
-                    || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
+                    || score.gain() > SEEN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
             }
         }

@@ -17,17 +17,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 public record Trial(Ground ground, List<Fitter.State> begun) {
 
-    private static final int FIRST_STEPS = 1;
-    private static final int FIRST_LINEAR_STEPS = 2;
-    /** From numbers that were not fitted on these data a fit has farther to go, and what a few steps leave tells nothing yet. */
-    private static final int OWN_LINEAR_STEPS = 12;
-    private static final int MORE_LINEAR_STEPS = 8;
-    private static final int OVERTURNING_STEPS = 25;
-    private static final int MOST_STARTS = 9;
-    private static final double BEHIND = 3;
     private static final double IDLE = 1e-3;
-    /** Relative gain below which a heat's fit ends. */
-    private static final double ENOUGH = 2e-3;
 
     /**
      * What hypotheses are tried on.
@@ -54,13 +44,13 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= MOST_STARTS
-                    && (base.candidate().added().isEmpty() || base.reduced() > Refinement.MUCH)) {
+            if (score.hypothesis().starts().size() <= Effort.STEPS
+                    && (base.candidate().added().isEmpty() || base.reduced() > Priors.GLARING)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
         List<Fitter.State> begun = sorted(from.stream().flatMap(numbers -> begun(ground, score, starts, numbers, most)).toList());
-        return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > BEHIND * begun.get(0).cost())).toList());
+        return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 
     private static Stream<Fitter.State> begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers, int most) {
@@ -69,10 +59,10 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
         boolean fitted = Arrays.equals(numbers, base.x());
         double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
-        int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
+        int steps = score.hypothesis().runsFree() ? 1 : fitted ? 2 : Effort.STEPS;
         return best(ground, score.candidate(), own, without).stream().limit(most)
-                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
-                        : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, ENOUGH));
+                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ENOUGH)
+                        : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, Effort.ENOUGH));
     }
 
     /**
@@ -106,7 +96,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
             }
             for (Hypothesis.Start start : score.hypothesis().starts()) {
                 fits.add(ground.fitter().fit(with, base.extended(own, with, score.hypothesis(), start.values()), ground.base().frame(),
-                        OVERTURNING_STEPS, 1e-3));
+                        Effort.LAST_STEPS, Effort.ENOUGH));
             }
         }
         return new Trial(ground, sorted(fits).subList(0, 1));
@@ -131,8 +121,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     }
 
     private Fitter.State onward(Fitter.State state) {
-        int steps = state.candidate().last().runsFree() ? 1 : MORE_LINEAR_STEPS;
-        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, ENOUGH);
+        int steps = state.candidate().last().runsFree() ? 1 : Effort.STEPS;
+        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, Effort.ENOUGH);
     }
 
     /** The first as it stands on other ground. */

@@ -23,17 +23,6 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 public final class Whereabouts {
 
-    /** Excess up to which a place is looked into in any case. */
-    private static final double LITTLE = 2;
-    /** How many times the excess that the best place leaves another may leave and still be looked into. */
-    private static final double NEAR = 2;
-    /** Beside how many places the person's own force is looked for. */
-    private static final int PLACES = 4;
-    /** What is left where a place explains all by itself, so that nothing shows a force of its own. */
-    private static final double ALONE = 1.1;
-    /** Part of what is left beside a place that a force must not leave. */
-    private static final double MOST = 0.4;
-
     private final Evidence evidence;
     private final Candidate baseline;
     private final Places places;
@@ -104,11 +93,11 @@ public final class Whereabouts {
      * it, and then every place would do.
      */
     private static boolean shows(Evidence part, Fitter.State base) {
-        return Refinement.excess(base.reduced()) < NEAR * Refinement.excess(fitted(part, base.candidate(), base.x()).reduced());
+        return Refinement.excess(base.reduced()) < Effort.ALIKE * Refinement.excess(fitted(part, base.candidate(), base.x()).reduced());
     }
 
     private static Whereabouts beside(Evidence evidence, Candidate baseline, Places places) {
-        Set<Place> near = near(baseline, places.found(), LITTLE);
+        Set<Place> near = near(baseline, places.found(), Priors.STRANGE - 1);
         boolean told = !places.found().isEmpty()
                 && (evidence.bodyForce().isPresent() || plain(baseline, places.found().get(0)).kind() != Place.Kind.BODY);
         return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
@@ -122,7 +111,7 @@ public final class Whereabouts {
             return true;
         }
         Known.Ignoring first = places.found().get(0);
-        return Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced());
+        return Refinement.excess(whole(first).reduced()) < Effort.ALIKE * Refinement.excess(first.reduced());
     }
 
     /** The fit on all data beside a place. */
@@ -137,7 +126,7 @@ public final class Whereabouts {
      * @param most excess [1] that an arbitrary signal there may leave
      */
     public Optional<Whereabouts> besideSensor(double most) {
-        Set<Place> near = near(baseline, places.found(), LITTLE);
+        Set<Place> near = near(baseline, places.found(), Priors.STRANGE - 1);
         Set<Place> farther = places.found().stream().filter(found -> found.reduced() - 1 <= most).map(found -> plain(baseline, found))
                 .filter(place -> !near.contains(place)).collect(Collectors.toSet());
         return near.isEmpty() || farther.isEmpty() || !near.stream().allMatch(Place::isSensor) ? Optional.empty()
@@ -186,16 +175,17 @@ public final class Whereabouts {
             return Optional.empty();
         }
         Set<Place> near = near(baseline, places.found(), 0);
-        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
+        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(Effort.FEW)
+                .toList();
         for (Known.Ignoring found : asked) {
             Evidence blind = evidence.ignoring(found.places().get(0));
             Fitter.State without = whole(found);
-            if (without.reduced() < ALONE) {
+            if (without.reduced() < Priors.NOISE) {
                 return Optional.empty();
             }
             Optional<BodyForce> force = BodyForce.in(blind, without).filter(kind);
             if (force.isPresent()
-                    && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < MOST * (without.reduced() - 1)) {
+                    && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < Priors.MAJORITY * (without.reduced() - 1)) {
                 return force;
             }
         }
@@ -204,7 +194,7 @@ public final class Whereabouts {
 
     /** @param least excess that is near in any case */
     private static Set<Place> near(Candidate baseline, List<Known.Ignoring> places, double least) {
-        double most = Math.max(1 + least, Locator.reach(places, NEAR));
+        double most = Math.max(1 + least, Locator.reach(places, Effort.ALIKE));
         return places.stream().filter(found -> found.reduced() <= most).map(found -> plain(baseline, found))
                 .collect(Collectors.toCollection(HashSet::new));
     }

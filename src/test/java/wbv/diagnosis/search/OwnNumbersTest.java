@@ -61,7 +61,7 @@ class OwnNumbersTest {
     /** The fit finds the same body: what it costs that one stiffness was given three times too small is that number's alone. */
     @Test
     void oneThatIsPlainlyWrongCostsItsOwnAndNoMore() {
-        double scale = Priors.USUAL.number();
+        double scale = Priors.NUMBER;
         double costs = Math.log1p(Math.pow(Math.log(3) / scale, 2));
         double given = logPrior(right);
         double wrong = logPrior(with(1 / 3.0));
@@ -84,7 +84,7 @@ class OwnNumbersTest {
             double[][] curvature = new Normal(fitter.lookWithSlopes(baseline, moved, look.frame())).curvature();
             double variance = new LUDecomposition(
                     new Array2DRowRealMatrix(curvature)).getSolver().getInverse().getEntry(at, at);
-            double scale = Priors.USUAL.number();
+            double scale = Priors.NUMBER;
             assertEquals(-Math.log(1 + 1 / (scale * scale + variance)), OwnNumbers.logPrior(fitter, look), 1e-6);
         }
     }

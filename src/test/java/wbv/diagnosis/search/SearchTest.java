@@ -41,7 +41,7 @@ class SearchTest {
         }
 
         List<Fitter.State> leaders() {
-            return search(evidence).leaders(base, Search.LEADERS, where());
+            return search(evidence).leaders(base, Effort.LEADERS, where());
         }
 
         /** Knowing what the person does who sits there. */
@@ -81,6 +81,6 @@ class SearchTest {
         assertTrue(Refinement.bent(asked.base()), "the model alone has to have gone far");
         Fitter.State arm = asked.leaders().stream().filter(fit -> fit.candidate().last().mechanism().equals("memory.viscoelastic")
                 && fit.candidate().last().where().equals(asked.place())).findFirst().orElseThrow();
-        assertTrue(Refinement.explained(asked.base(), arm) > Refinement.NEARLY_ALL, "leaves " + arm.reduced());
+        assertTrue(Refinement.explained(asked.base(), arm) > Priors.NEARLY_ALL, "leaves " + arm.reduced());
     }
 }

@@ -1,8 +1,6 @@
-package wbv.diagnosis.search;
+package wbv.diagnosis;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -21,19 +19,12 @@ import wbv.body.ModelFile;
 import wbv.body.law.MaxwellArm;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.Diagnoser;
-import wbv.diagnosis.Diagnosis;
-import wbv.diagnosis.Interval;
-import wbv.diagnosis.fit.Baseline;
-import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Evidence;
-import wbv.diagnosis.fit.Fitter;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 
 /** A stiffness that would have to be several times the given one, on a recording of another engine in which nothing is missing. */
-class OddLinkTest {
+class ImitatedNumberTest {
 
     private static final Path NULL_CASE = Path.of("data/arff/concealed/001");
     private static final int LINK = 1;
@@ -71,28 +62,6 @@ class OddLinkTest {
         links.set(which, new Model.Link(link.from(), link.to(), stiffness * link.stiffness(), damping * link.damping(), link.sensor(),
                 link.laws(), link.drives(), link.faults()));
         return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
-    }
-
-    /**
-     * Whoever needs the best alone need not look at all that fit about as well. Where the lowest link is the odd one, what fits best there
-     * leaves it odd, and is not the first of the credible ones.
-     */
-    @Tag("slow")
-    @Test
-    void theFirstIsThatOfAllCredibleOnes() {
-        Evidence evidence = new Evidence(wrong(0, 0.3, 1), recording);
-        Search search = new Search(evidence, (step, share) -> {});
-        Candidate baseline = Baseline.of(evidence);
-        Fitter.State base = search.base(baseline);
-        List<Fitter.State> leaders = search.leaders(base, 1,
-                Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));
-        List<Fitter.State> credible = search.credible(leaders);
-        assertEquals(leaders.size(), credible.size());
-        Fitter.State first = credible.stream().filter(fit -> !Search.extreme(fit)).findFirst().orElseThrow();
-        Fitter.State alone = search.first(leaders).orElseThrow();
-        assertNotSame(leaders.get(0), alone);
-        assertEquals(first.candidate().last().name(), alone.candidate().last().name());
-        assertArrayEquals(first.x(), alone.x());
     }
 
     /** An arm that relaxes slowly against the shaking is hardly more than a stiffer spring; the numbers of the others give it away. */
