@@ -25,6 +25,7 @@ import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.OddSensor;
+import wbv.diagnosis.search.OwnNumbers;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Screening;
@@ -170,11 +171,17 @@ final class Imitations {
     }
 
     /**
-     * By how much a fit makes data that were not used likelier than another does, each seen through its own model's noise [nat] (Dawid
-     * 1984).
+     * Logarithm of the odds of a fit against another, by data that were not used, each seen through its own model's noise (Dawid 1984), and
+     * by the model's own numbers [nat]. No model is quite right, so that of nulls too some law makes such data likelier: by what those make
+     * in the mean, as chance is distributed that has no scale but its mean, data are weighed.
      */
     private double evidence(Fitter.State fit, Fitter.State than) {
-        return (misfit(than) - misfit(fit)) / 2;
+        return (misfit(than) - misfit(fit)) / 2 / Calibration.standard().nulls() + numbers(fit) - numbers(than);
+    }
+
+    /** What stands for a simulation has numbers that nobody gave. */
+    private double numbers(Fitter.State fit) {
+        return evidence.standsForSimulation() ? 0 : OwnNumbers.logPrior(search.fitter(), fit);
     }
 
     /** What data that were not used say against a fit: sum of squares of what is left of them and of the sensors' errors. */

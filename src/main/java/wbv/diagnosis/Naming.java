@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Search;
 
@@ -31,13 +30,14 @@ final class Naming {
         this.onRig = grounds.evidence().onRig();
     }
 
-    /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
+    /**
+     * Whether the best hypothesis is what the posterior says, and data not used say so too. So near to the noise only a name without a
+     * rival is a finding.
+     */
     boolean isWorth() {
-        double chance = Calibration.standard().chance();
-        return best != base && grounds.foretells(best) && standing.explained() > Priors.MAJORITY && base.reduced() - best.reduced() > chance
-                && (onRig || grounds.heldBefore() - grounds.heldAfter() > chance)
-                // So near to the noise only a name without a rival is a finding.
-                && (grounds.heldBefore() > Priors.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
+        DecisionRule.Reading reading = standing.reading();
+        return best != base && !reading.isUnknown() && grounds.foretells(best)
+                && (grounds.heldBefore() > Priors.SILENT || reading.verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     /**
@@ -72,8 +72,7 @@ final class Naming {
 
     /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
     private boolean isPoor() {
-        return standing.reading().isUnknown()
-                || (onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best));
+        return onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best);
     }
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */

@@ -30,6 +30,9 @@ final class Calibrating {
     /** Held so firmly an answer should not be wrong but by a lapse. */
     private static final double FIRM = 0.97;
 
+    /** Not told by answers, which say nothing of what was not named: kept as it is. */
+    private static final double NULLS = Calibration.standard().nulls();
+
     private final List<Case> cases;
 
     /**
@@ -85,13 +88,14 @@ final class Calibrating {
     private Calibration calibration(String command, String commit) {
         PointValuePair best = new SimplexOptimizer(1e-8, 1e-8).optimize(new MaxEval(TRIES), GoalType.MAXIMIZE, new InitialGuess(START),
                 new NelderMeadSimplex(START.length, STEP),
-                new ObjectiveFunction(logs -> score(new Calibration(Math.exp(logs[0]), Math.exp(logs[1]), 0.5, cases.size(), 0, "", ""))));
+                new ObjectiveFunction(
+                        logs -> score(new Calibration(Math.exp(logs[0]), Math.exp(logs[1]), 0.5, NULLS, cases.size(), 0, "", ""))));
         double forms = Math.exp(best.getPoint()[0]);
         double chance = Math.exp(best.getPoint()[1]);
-        Calibration sharp = new Calibration(forms, chance, 0.5, cases.size(), best.getValue(), command, commit);
+        Calibration sharp = new Calibration(forms, chance, 0.5, NULLS, cases.size(), best.getValue(), command, commit);
         List<Case> firm = cases.stream().filter(each -> each.probability(sharp) >= FIRM).toList();
         double lapse = (firm.stream().filter(each -> !each.right()).count() + 1.0) / (firm.size() + 2.0);
-        return new Calibration(forms, chance, lapse, cases.size(), best.getValue(), command, commit);
+        return new Calibration(forms, chance, lapse, NULLS, cases.size(), best.getValue(), command, commit);
     }
 
     /** Mean logarithm of the probability of what was right about the answers. */

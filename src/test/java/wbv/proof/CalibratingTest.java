@@ -57,7 +57,7 @@ class CalibratingTest {
 
     /** Names and rivals that leave as much by chance, and move the model's numbers so; which is right is drawn by the calibration. */
     private static List<Marking> drawn(Random random, int count) {
-        Calibration truth = new Calibration(FORMS, CHANCE, 0.01, 0, 0, "", "");
+        Calibration truth = new Calibration(FORMS, CHANCE, 0.01, 1, 0, 0, "", "");
         List<Marking> out = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double left = 0.005 * Math.pow(200, random.nextDouble());

@@ -12,7 +12,6 @@ import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Priors;
-import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
 /** Whether a law is asked for, and whether one that was fitted holds: on data that were not used, and against what is known without it. */
@@ -30,17 +29,14 @@ public final class LawProof {
     }
 
     /**
-     * Whether a name leaves more than noise: then it may be another law, which only looks like it. A rig is so little noisy that it shows
-     * what no formula has quite right, and what stands for a simulation carries a law not quite as that would: there a name is doubted that
-     * does not explain nearly all.
+     * Whether named physics, laws among it, leave more than noise: then it may be another law, which only looks like it. What stands for a
+     * simulation carries no law quite as that would, so that there a right one may leave more.
      */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && named.best().reduced() > Priors.SILENT
-                && !((named.evidence().onRig() || named.evidence().standsForSimulation())
-                        && Refinement.explainsNearlyAll(named.base(), named.best()));
+        return physics && (named.evidence().standsForSimulation() ? leavesMuch(named) : named.best().reduced() > Priors.SILENT);
     }
 
     /**
@@ -53,6 +49,7 @@ public final class LawProof {
                 && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
     }
 
+    /** Whether more than noise is left, and more than a formula that is right may leave. */
     private static boolean leavesMuch(Fits named) {
         double right = Priors.FORM * Priors.FORM * (named.base().reduced() - 1);
         return named.best().reduced() > Priors.SILENT && named.best().reduced() - 1 > right;

@@ -11,12 +11,14 @@ import java.io.UncheckedIOException;
  * @param forms    how many independent parts the form of a law has [1]: twice the power of the excess with which evidence falls
  * @param chance   excess that chance and effects of second order leave, in units of the noise [1]
  * @param lapse    probability that an answer is wrong whatever its evidence says [1] (Laplace 1814: one more than was seen)
+ * @param nulls    by how much the likeliest law makes data that were not used likelier than the numbers alone do where nothing is missing,
+ *                 in the mean [nat]
  * @param answers  to how many recordings it rests on
  * @param score mean logarithm of the probability of what was right about them [nat]
  * @param made     by which command
  * @param commit of which program
  */
-public record Calibration(double forms, double chance, double lapse, int answers, double score, String made, String commit) {
+public record Calibration(double forms, double chance, double lapse, double nulls, int answers, double score, String made, String commit) {
 
     private static final String RESOURCE = "/wbv/diagnosis/calibration.json";
 
@@ -24,9 +26,10 @@ public record Calibration(double forms, double chance, double lapse, int answers
     private static final Calibration STANDARD = read();
 
     public Calibration {
-        if (!(forms > 0 && chance > 0 && lapse > 0 && lapse < 1)) {
+        if (!(forms > 0 && chance > 0 && lapse > 0 && lapse < 1 && nulls > 0)) {
             throw new IllegalArgumentException(
-                    "forms and chance must be > 0, and the lapse between 0 and 1: " + forms + ", " + chance + ", " + lapse);
+                    "forms, chance and nulls must be > 0, and the lapse between 0 and 1: " + forms + ", " + chance + ", " + nulls + ", "
+                            + lapse);
         }
     }
 
