@@ -20,14 +20,12 @@ final class Naming {
     private final Standing standing;
     private final Fitter.State base;
     private final Fitter.State best;
-    private final boolean onRig;
 
     Naming(Grounds grounds) {
         this.grounds = grounds;
         this.standing = grounds.standing();
         this.base = grounds.base();
         this.best = grounds.best();
-        this.onRig = grounds.evidence().onRig();
     }
 
     /**
@@ -72,7 +70,7 @@ final class Naming {
 
     /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
     private boolean isPoor() {
-        return onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best);
+        return !carriesOver() || Search.extreme(best);
     }
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
