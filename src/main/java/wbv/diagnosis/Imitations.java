@@ -121,7 +121,7 @@ final class Imitations {
                 .toList());
         return refinement.polish(Trial
                 .sorted(looks.stream().limit(Effort.SECONDS)
-                        .map(look -> search.fitter().fit(with, look.x(), base.frame(), Effort.LAST_STEPS, Effort.FINE)).toList())
+                        .map(look -> search.fitter().fit(with, look.x(), base.frame(), Effort.LAST_STEPS, Effort.EXACT)).toList())
                 .get(0));
     }
 

@@ -20,12 +20,14 @@ final class Naming {
     private final Standing standing;
     private final Fitter.State base;
     private final Fitter.State best;
+    private final boolean onRig;
 
     Naming(Grounds grounds) {
         this.grounds = grounds;
         this.standing = grounds.standing();
         this.base = grounds.base();
         this.best = grounds.best();
+        this.onRig = grounds.evidence().onRig();
     }
 
     /**
@@ -68,9 +70,12 @@ final class Naming {
                 grounds.words().ending(standing.explained(), standing.numbers(), rivals));
     }
 
-    /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
+    /**
+     * Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. A bench, whose
+     * records are short, has to show it on data not used, however little these show.
+     */
     private boolean isPoor() {
-        return !carriesOver() || Search.extreme(best);
+        return onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best);
     }
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */

@@ -18,7 +18,9 @@ public final class Effort {
     public static final int LAWS = 10;
     /** Of how many of the likeliest, be they places, links, mechanisms or starts, more is asked. */
     public static final int SECONDS = 2;
-    /** Places or links so few that each of them is looked at. */
+    /** Of how many places more is asked than how well they explain a mismatch. */
+    public static final int PLACES = 4;
+    /** Links so few that each of them is looked at for every kind of law. */
     public static final int FEW = 3;
     /** Terms of a law that is learned. */
     public static final int TERMS = 4;
@@ -44,14 +46,26 @@ public final class Effort {
 
     /** Steps of a fit after which it shows whether it leads anywhere. */
     public static final int FIRST_STEPS = 4;
+    /** Steps of a fit in a heat, once it is among those that may win. */
+    public static final int HEAT_STEPS = 8;
+    /** Steps of a finalist in the whitening of what it stands on. */
+    public static final int FINAL_STEPS = 6;
     /** Steps of a fit that is to be compared. */
     public static final int STEPS = 10;
-    /** Steps of a fit that goes the whole way. */
+    /** Steps of a fit from numbers that were not fitted to these data, before it is seen through its own noise. */
+    public static final int OWN_STEPS = 12;
+    /** Steps of a leader, seen through its own noise, before that is read again. */
+    public static final int POLISHING_STEPS = 15;
+    /** Steps of a fit that goes the whole way at once. */
     public static final int LAST_STEPS = 25;
-    /** Relative gain of a step below which a fit ends that is to be compared [1]. */
+    /** Relative gain of a step below which a fit ends in a heat [1]. */
+    public static final double ROUGH = 2e-3;
+    /** The same of one that is to be compared [1]. */
     public static final double ENOUGH = 1e-3;
-    /** The same of one that goes the whole way [1]. */
-    public static final double FINE = 1e-4;
+    /** The same of a leader [1]. */
+    public static final double FINE = 3e-4;
+    /** The same of the model alone, against which all are held [1]. */
+    public static final double EXACT = 1e-4;
     /**
      * By how much less likely a fit may be than the likeliest to be of no account, whatever else speaks for it [nat]: a hundred such take
      * less from a probability than the digits that are told.

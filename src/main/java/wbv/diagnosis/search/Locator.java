@@ -19,9 +19,23 @@ import wbv.diagnosis.fit.Place;
 public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
-    static final int FEWEST_OUTPUTS = 2 + 1;
+    static final int FEWEST_OUTPUTS = 3;
+    private static final int FIRST_STEPS = 6;
+    private static final int STEPS = 8;
+    /** Of one that starts anew, before the frame is made again where it stands. */
+    private static final int OWN_STEPS = 3;
+    /** Of those few that leave little then: what they leave is held against noise. */
+    private static final int LAST_STEPS = 20;
+    /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
+    private static final double HOPELESS = 4;
+    /** The same for a last round. */
+    private static final double NEAR = 3;
     private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
     private static final Comparator<Begun> WARMEST = Comparator.comparing(Begun::found, BEST);
+    /** Starts of each place that are tried. */
+    private static final int STARTS = 2;
+    /** Of how many places a partner is sought. */
+    private static final int FIRSTS = 4;
 
     private final Evidence evidence;
     private final Candidate baseline;
@@ -84,12 +98,12 @@ public final class Locator {
         }
         List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<List<Place>> asked = new ArrayList<>();
-        for (int i = 0; i < Math.min(Effort.FEW, singles.size()); i++) {
+        for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
             for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
                 asked.add(List.of(singles.get(i).places().get(0), second.places().get(0)));
             }
         }
-        return found(asked, singles.stream().limit(Effort.FEW).map(Known.Ignoring::x).toList());
+        return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
     }
 
     /**
@@ -128,8 +142,8 @@ public final class Locator {
             return all.stream().map(places -> new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY)).toList();
         }
         List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
-                .map(fit -> new Begun(fit.start(), fit.ignoring(places, Effort.STEPS))).sorted(WARMEST).limit(Effort.SECONDS).toList());
-        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), Effort.BEHIND);
+                .map(fit -> new Begun(fit.start(), fit.ignoring(places, FIRST_STEPS))).sorted(WARMEST).limit(STARTS).toList());
+        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), HOPELESS);
         return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
     }
 
@@ -137,8 +151,8 @@ public final class Locator {
     private Known.Ignoring near(List<Begun> begun) {
         Known.Ignoring warmest = begun.get(0).found();
         return Stream.concat(Stream.of(warmest), begun.stream()
-                .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), Effort.FIRST_STEPS)))
-                .map(each -> further(each, Effort.STEPS)).min(BEST).orElseThrow();
+                .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), OWN_STEPS)))
+                .map(each -> further(each, STEPS)).min(BEST).orElseThrow();
     }
 
     /**
@@ -154,8 +168,8 @@ public final class Locator {
      * @param found best first
      */
     private List<Known.Ignoring> again(List<Known.Ignoring> found) {
-        double reach = reach(found, Effort.BEHIND);
-        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each, Effort.LAST_STEPS)));
+        double reach = reach(found, NEAR);
+        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each, LAST_STEPS)));
     }
 
     /**
@@ -182,7 +196,7 @@ public final class Locator {
             seen = seen.ignoring(place);
         }
         Fitter fitter = new Fitter(seen);
-        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, Effort.ENOUGH);
+        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, 2e-3);
         return state.reduced() < found.reduced() ? new Known.Ignoring(found.places(), state.x(), state.reduced()) : found;
     }
 }

@@ -79,7 +79,7 @@ public final class Refinement {
 
     /** A trial fitted to its end, in the whitening of what it stands on. */
     Fitter.State finish(Fitter.State begun, Fitter.State base) {
-        return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), Effort.STEPS, Effort.ENOUGH), 1);
+        return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), Effort.FINAL_STEPS, Effort.ROUGH), 1);
     }
 
     /** A moment is not found by slopes: steps of it are tried, and the rest refitted, until none helps. */
@@ -150,7 +150,7 @@ public final class Refinement {
     }
 
     private Fitter.State polishedOnce(Candidate candidate, double[] x) {
-        return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), Effort.LAST_STEPS, Effort.FINE),
+        return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), Effort.POLISHING_STEPS, Effort.FINE),
                 Effort.FIRST_STEPS);
     }
 

@@ -79,7 +79,7 @@ public final class Search {
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
         for (int round = 0; round < Effort.ROUNDS; round++) {
-            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.LAST_STEPS, Effort.FINE).x();
+            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.OWN_STEPS, Effort.EXACT).x();
         }
         return fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit()));
     }

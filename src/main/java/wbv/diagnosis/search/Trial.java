@@ -59,10 +59,10 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
         boolean fitted = Arrays.equals(numbers, base.x());
         double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
-        int steps = score.hypothesis().runsFree() ? 1 : fitted ? 2 : Effort.STEPS;
+        int steps = score.hypothesis().runsFree() ? 1 : fitted ? 2 : Effort.OWN_STEPS;
         return best(ground, score.candidate(), own, without).stream().limit(most)
-                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ENOUGH)
-                        : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, Effort.ENOUGH));
+                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ROUGH)
+                        : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, Effort.ROUGH));
     }
 
     /**
@@ -121,8 +121,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     }
 
     private Fitter.State onward(Fitter.State state) {
-        int steps = state.candidate().last().runsFree() ? 1 : Effort.STEPS;
-        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, Effort.ENOUGH);
+        int steps = state.candidate().last().runsFree() ? 1 : Effort.HEAT_STEPS;
+        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, Effort.ROUGH);
     }
 
     /** The first as it stands on other ground. */

@@ -175,7 +175,7 @@ public final class Whereabouts {
             return Optional.empty();
         }
         Set<Place> near = near(baseline, places.found(), 0);
-        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(Effort.FEW)
+        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(Effort.PLACES)
                 .toList();
         for (Known.Ignoring found : asked) {
             Evidence blind = evidence.ignoring(found.places().get(0));
