@@ -30,6 +30,9 @@ import wbv.recording.Recording;
  */
 final class ForceSign {
 
+    /** Student's t that the mean of so many stretches passes by chance as rarely as is believed. */
+    private static final double SURE = new TDistribution(Effort.STRETCHES - 1).inverseCumulativeProbability(1 - Priors.CHANCE);
+
     private final Question question;
     private final Evidence evidence;
 
@@ -149,7 +152,7 @@ final class ForceSign {
         }
         double average = Arrays.stream(work).average().orElse(0);
         double square = Arrays.stream(work).map(w -> (w - average) * (w - average)).sum() / (Effort.STRETCHES - 1);
-        return average < -new TDistribution(Effort.STRETCHES - 1).inverseCumulativeProbability(1 - Priors.CHANCE)
+        return average < -SURE
                 * Math.sqrt(square / Effort.STRETCHES);
     }
 }

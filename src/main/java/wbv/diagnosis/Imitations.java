@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -49,6 +50,7 @@ final class Imitations {
     private final Evidence evidence;
     private final Search search;
     private final Refinement refinement;
+    private final Map<Fitter.State, Double> known = new IdentityHashMap<>();
 
     Imitations(Evidence evidence, Search search) {
         this.evidence = evidence;
@@ -176,7 +178,12 @@ final class Imitations {
      * in the mean, as chance is distributed that has no scale but its mean, data are weighed.
      */
     private double evidence(Fitter.State fit, Fitter.State than) {
-        return (misfit(than) - misfit(fit)) / 2 / Calibration.standard().nulls() + numbers(fit) - numbers(than);
+        return evidence(fit) - evidence(than);
+    }
+
+    /** Each is looked at once, however many it is held against. */
+    private double evidence(Fitter.State fit) {
+        return known.computeIfAbsent(fit, each -> numbers(each) - misfit(each) / 2 / Calibration.standard().nulls());
     }
 
     /** What stands for a simulation has numbers that nobody gave. */

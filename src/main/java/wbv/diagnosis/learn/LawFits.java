@@ -62,7 +62,7 @@ final class LawFits {
         }
         double[] x = sentences.start(proposal, with);
         Fitter.State state = fitter.look(with, x, scored.frame());
-        for (int half = 0; half < Effort.FIRST_STEPS && state.failed(); half++) {
+        for (int half = 0; half < Effort.TRIES && state.failed(); half++) {
             for (Hypothesis term : proposal.terms()) {
                 int[] at = with.positions(term);
                 for (int i = 0; i < at.length; i++) {

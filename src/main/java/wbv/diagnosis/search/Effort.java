@@ -22,6 +22,10 @@ public final class Effort {
     public static final int PLACES = 4;
     /** Links so few that each of them is looked at for every kind of law. */
     public static final int FEW = 3;
+    /** Starts of a hypothesis: where it has more, only the one that was screened is begun. */
+    public static final int STARTS = 10;
+    /** Times that too large a step is halved, or what has a moment is moved and fitted again. */
+    public static final int TRIES = 4;
     /** Terms of a law that is learned. */
     public static final int TERMS = 4;
     /** Terms to which others are added. */

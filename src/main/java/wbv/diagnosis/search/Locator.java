@@ -19,23 +19,15 @@ import wbv.diagnosis.fit.Place;
 public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
-    static final int FEWEST_OUTPUTS = 3;
-    private static final int FIRST_STEPS = 6;
-    private static final int STEPS = 8;
+    static final int FEWEST_OUTPUTS = 2 + 1;
     /** Of one that starts anew, before the frame is made again where it stands. */
     private static final int OWN_STEPS = 3;
     /** Of those few that leave little then: what they leave is held against noise. */
     private static final int LAST_STEPS = 20;
-    /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
-    private static final double HOPELESS = 4;
     /** The same for a last round. */
     private static final double NEAR = 3;
     private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
     private static final Comparator<Begun> WARMEST = Comparator.comparing(Begun::found, BEST);
-    /** Starts of each place that are tried. */
-    private static final int STARTS = 2;
-    /** Of how many places a partner is sought. */
-    private static final int FIRSTS = 4;
 
     private final Evidence evidence;
     private final Candidate baseline;
@@ -98,12 +90,12 @@ public final class Locator {
         }
         List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<List<Place>> asked = new ArrayList<>();
-        for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
+        for (int i = 0; i < Math.min(Effort.PLACES, singles.size()); i++) {
             for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
                 asked.add(List.of(singles.get(i).places().get(0), second.places().get(0)));
             }
         }
-        return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
+        return found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
     }
 
     /**
@@ -142,8 +134,9 @@ public final class Locator {
             return all.stream().map(places -> new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY)).toList();
         }
         List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
-                .map(fit -> new Begun(fit.start(), fit.ignoring(places, FIRST_STEPS))).sorted(WARMEST).limit(STARTS).toList());
-        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), HOPELESS);
+                .map(fit -> new Begun(fit.start(), fit.ignoring(places, Effort.FINAL_STEPS))).sorted(WARMEST).limit(Effort.SECONDS)
+                .toList());
+        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), Effort.BEHIND);
         return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
     }
 
@@ -152,7 +145,7 @@ public final class Locator {
         Known.Ignoring warmest = begun.get(0).found();
         return Stream.concat(Stream.of(warmest), begun.stream()
                 .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), OWN_STEPS)))
-                .map(each -> further(each, STEPS)).min(BEST).orElseThrow();
+                .map(each -> further(each, Effort.HEAT_STEPS)).min(BEST).orElseThrow();
     }
 
     /**
@@ -196,7 +189,7 @@ public final class Locator {
             seen = seen.ignoring(place);
         }
         Fitter fitter = new Fitter(seen);
-        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, 2e-3);
+        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, Effort.ROUGH);
         return state.reduced() < found.reduced() ? new Known.Ignoring(found.places(), state.x(), state.reduced()) : found;
     }
 }

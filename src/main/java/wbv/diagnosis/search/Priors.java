@@ -1,8 +1,9 @@
 package wbv.diagnosis.search;
 
 /**
- * What is believed before a recording is seen, and from when on something is said: the numbers on which verdicts rest, and no others do.
- * How sharply fits tell is not believed but measured, see {@link Calibration}; how hard is sought decides nothing, see {@link Effort}.
+ * What is believed before a recording is seen, and from when on something is said: the numbers on which the search, learning and verdicts
+ * rest. How sharply fits tell is not believed but measured, see {@link Calibration}; how hard is sought decides nothing, see
+ * {@link Effort}. What a force of its own looks like, and what sensors do, stands where these are read.
  */
 public final class Priors {
 
@@ -27,7 +28,7 @@ public final class Priors {
     public static final double FORM = 0.1;
     /** Part of a mismatch from which on a mechanism explains nearly all of it: no second helps it, and no other law in its place [1]. */
     public static final double NEARLY_ALL = 0.95;
-    /** Part of the power of a force that goes by no law by which that scatters from one half of a recording to the other [1]. */
+    /** Part of a mismatch that what a push or two places leave scatters by: by the push's own level, by numbers that fit the noise [1]. */
     public static final double SCATTER = 0.012;
 
     /** Mean square of a whitened residual where noise is known in full, and what it scatters by [1]. */

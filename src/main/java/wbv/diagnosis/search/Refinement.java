@@ -151,7 +151,7 @@ public final class Refinement {
 
     private Fitter.State polishedOnce(Candidate candidate, double[] x) {
         return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), Effort.POLISHING_STEPS, Effort.FINE),
-                Effort.FIRST_STEPS);
+                Effort.TRIES);
     }
 
     /** χ² per number on the held-out window [1]. */

@@ -44,7 +44,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= Effort.STEPS
+            if (score.hypothesis().starts().size() <= Effort.STARTS
                     && (base.candidate().added().isEmpty() || base.reduced() > Priors.GLARING)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
