@@ -10,7 +10,6 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
-import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
@@ -108,7 +107,7 @@ final class Conclusion {
 
     /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */
     private boolean isOneLaw(Fitter.State name) {
-        return !evidence.onRig() && new LawLearner(evidence, search, base, entrances()).isOne(name);
+        return new LawLearner(evidence, search, base, entrances()).isOne(name);
     }
 
     /** The best, or a simpler law at the same place that is as likely but for what a number more costs. */
@@ -119,10 +118,7 @@ final class Conclusion {
     }
 
     private static boolean isSimpler(Fitter.State other, Fitter.State best) {
-        Hypothesis first = best.candidate().added().get(0);
-        Hypothesis rival = other.candidate().added().get(0);
-        boolean plainer = first.byTheClock() && !rival.byTheClock() && first.kind().equals(rival.kind());
-        return (plainer || first.kind().yieldsTo(rival)) && rival.where().equals(first.where())
+        return best.candidate().last().yieldsTo(other.candidate().last())
                 && Calibration.standard().isAsLikely(other.reduced(), best.reduced());
     }
 }

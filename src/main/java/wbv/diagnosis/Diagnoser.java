@@ -103,9 +103,9 @@ public final class Diagnoser {
     private Diagnosed run() {
         double heldOut = inquiry.heldOut(base);
         boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
-        boolean louderLater = !evidence.onRig() && !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
+        boolean louderLater = !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
         boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || Math.max(base.reduced(), heldOut) > Priors.STRANGE;
-        // The little that is left on a rig may be noise of its input.
+        // The little that is left may be noise of an input of which nobody knows it.
         boolean quiet = Math.max(base.reduced(), heldOut) < Priors.SILENT;
         return louderLater ? louderLater() : loud ? searched() : Conclusion.of(quiet ? inquiry : inquiry.hearingInput(base), List.of());
     }
@@ -142,7 +142,7 @@ public final class Diagnoser {
      * used for it too: no law that is not linear does so little to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> linear() {
-        boolean plain = !evidence.onRig() && !(base.reduced() < Priors.GLARING);
+        boolean plain = !(base.reduced() < Priors.GLARING);
         List<Fitter.State> leaders = plain ? search.linear(base, Effort.LEADERS, Priors.MAJORITY) : List.of();
         return leaders.stream().findFirst().filter(best -> !(Refinement.explained(base, best) < Priors.NEARLY_ALL))
                 .flatMap(best -> inquiry.leaves(best, Priors.SILENT) ? Optional.of(Conclusion.of(inquiry, leaders))

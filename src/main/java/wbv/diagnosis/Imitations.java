@@ -63,9 +63,7 @@ final class Imitations {
 
         /** That only the numbers of a model are wrong, told by the link that had to move farthest. */
         Diagnosis.Named asNumbers(Fitter.State base) {
-            int links = base.candidate().template().structure().links();
-            int at = IntStream.range(0, links).flatMap(link -> base.candidate().stiffness(link).stream()).boxed()
-                    .max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
+            int at = springs(base).boxed().max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
             Knob knob = base.candidate().knobs().get(at);
             return new Diagnosis.Named(new ParameterError().word(), knob.place(), posterior.of(Claim.VALUES),
                     Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
@@ -78,20 +76,25 @@ final class Imitations {
      * @param base that leaves no more than noise
      */
     public Optional<Weighed> in(Fitter.State base) {
-        if (evidence.onRig()) {
-            return Optional.empty();
-        }
         Fitter.State fitted = search.fitter().lookWithSlopes(base.candidate(), base.x(), base.frame());
         Motion motion = new Motion(evidence, fitted.candidate().at(fitted.x()));
         List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
         double price = price(all);
-        List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
+        // Where no spring may have another stiffness, none imitates anything.
+        List<Hypothesis> asked = springs(base).findAny().isEmpty() ? List.of()
+                : all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
         List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream()
                 .filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
         List<Fitter.State> fits = likelier(Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)), fitted, price);
         Fitter.State alone = fits.isEmpty() ? fitted : alone(fitted, fits);
         List<Fitter.State> likelier = likelier(fits, alone, price);
         return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(alone, likelier, price)).filter(Imitations::isImitated);
+    }
+
+    /** Which numbers of a fit are stiffnesses of links. */
+    private static IntStream springs(Fitter.State base) {
+        return IntStream.range(0, base.candidate().template().structure().links())
+                .flatMap(link -> base.candidate().stiffness(link).stream());
     }
 
     private List<Fitter.State> likelier(List<Fitter.State> fits, Fitter.State than, double price) {
@@ -146,7 +149,8 @@ final class Imitations {
         // more.
         Map<Fitter.State, Double> alone = Map.copyOf(likelier);
         for (Fitter.State fit : fits) {
-            double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(alone::get).max().orElse(0);
+            double simpler = fits.stream().filter(other -> fit.candidate().last().yieldsTo(other.candidate().last()))
+                    .mapToDouble(alone::get).max().orElse(0);
             if (simpler > Priors.MAJORITY * alone.get(fit)) {
                 likelier.remove(fit);
             } else if (simpler > price) {
@@ -160,11 +164,6 @@ final class Imitations {
         List<Fitter.State> ranked = new ArrayList<>(likelier.keySet());
         ranked.sort(Comparator.comparingDouble(fit -> -likelier.get(fit)));
         return new Weighed(ranked, Posterior.of(claims, 1).but(Calibration.standard().lapse(), Standing.UNKNOWN));
-    }
-
-    private static boolean isSimpler(Fitter.State other, Fitter.State fit) {
-        Hypothesis last = fit.candidate().last();
-        return last.kind().yieldsTo(other.candidate().last()) && last.where().equals(other.candidate().last().where());
     }
 
     /** What the choice of one name among all costs [nat]. */

@@ -61,9 +61,9 @@ final class Inquiry {
         return new Inquiry(evidence.with(force), baseline, progress);
     }
 
-    /** The same where the noise of a rig's input counts too, as far as a fit leaves it; itself where nothing shows any. */
+    /** The same where noise of the input counts too of which nobody knew, as far as a fit leaves it; itself where nothing shows any. */
     Inquiry hearingInput(Fitter.State fit) {
-        Map<Channel, Double> levels = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
+        Map<Channel, Double> levels = evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
         return levels.isEmpty() ? this : new Inquiry(evidence.with(levels), baseline, progress);
     }
 

@@ -104,13 +104,9 @@ final class LearnedVerdict {
         });
     }
 
-    /**
-     * Part of what was left on data not used that goes with the best: of what is beyond noise; of a rig of all, since its noise may be
-     * overstated.
-     */
+    /** Part of what was left on data not used that goes with the best: of what is beyond noise. */
     private double gone(double held) {
-        double floor = evidence.onRig() ? 0 : 1;
-        return Math.max(0, Math.min(1, (held - refinement.heldOut(fits.best())) / (held - floor)));
+        return Math.max(0, Math.min(1, (held - refinement.heldOut(fits.best())) / (held - evidence.floor())));
     }
 
     /** A number of a term by a key of its own, where several terms have one like it. */

@@ -20,14 +20,12 @@ final class Naming {
     private final Standing standing;
     private final Fitter.State base;
     private final Fitter.State best;
-    private final boolean onRig;
 
     Naming(Grounds grounds) {
         this.grounds = grounds;
         this.standing = grounds.standing();
         this.base = grounds.base();
         this.best = grounds.best();
-        this.onRig = grounds.evidence().onRig();
     }
 
     /**
@@ -70,18 +68,20 @@ final class Naming {
                 grounds.words().ending(standing.explained(), standing.numbers(), rivals));
     }
 
-    /**
-     * Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. A bench, whose
-     * records are short, has to show it on data not used, however little these show.
-     */
+    /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
     private boolean isPoor() {
-        return onRig ? grounds.heldAfter() > (1 - Priors.UNLISTED) * grounds.heldBefore() : !carriesOver() || Search.extreme(best);
+        return !carriesOver() || Search.extreme(best);
     }
 
-    /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
+    /**
+     * Whether data not used for the fit are explained about as well, where they show something: a wrong law with enough freedom follows
+     * only what it has seen.
+     */
     private boolean carriesOver() {
+        double floor = grounds.evidence().floor();
         double before = grounds.heldBefore();
-        return before < Priors.STRANGE || (before - grounds.heldAfter()) / (before - 1) > (1 - Priors.UNLISTED) * standing.explained();
+        double explained = (base.reduced() - best.reduced()) / (base.reduced() - floor);
+        return before < Priors.STRANGE * floor || (before - grounds.heldAfter()) / (before - floor) > (1 - Priors.UNLISTED) * explained;
     }
 
     /** @param most how sure a name may be */

@@ -81,6 +81,22 @@ class ConstantsTest {
         assertTrue(all.containsAll(apart), "classes that are no more: " + apart);
     }
 
+    /**
+     * Who decides does not ask whether it is about a rig or a person, but what is known of noise, which places outputs tell apart and which
+     * mechanisms there are. Faults that need no fit, forces of the other sign, how long a recording must be, weights of a person and what
+     * only benches or only people do are of one or the other.
+     */
+    @Test
+    void whatDecidesIsOneForRigsAndPeople() throws IOException {
+        Set<String> asked = new TreeSet<>();
+        for (Path file : deciding()) {
+            if (Files.readString(file).matches("(?s).*\\b(onRig|isRig)\\(.*")) {
+                asked.add(name(file));
+            }
+        }
+        assertEquals(Set.of("PlainFaults", "ForceSign", "Diagnoser", "MassScale", "Grammar", "Terms"), asked);
+    }
+
     @Test
     void noMoreThanTwentyNumbersAreBelieved() throws IllegalAccessException {
         Field[] numbers = Priors.class.getFields();

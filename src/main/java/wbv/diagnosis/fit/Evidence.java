@@ -143,6 +143,11 @@ public final class Evidence {
         return measured.noise();
     }
 
+    /** What noise leaves at least, as a mean square of a whitened residual [1]: itself; nothing where noise is only bounded from above. */
+    public double floor() {
+        return measured.isNoiseKnown() ? 1 : 0;
+    }
+
     /** What small errors of the sensors do in a window. */
     ErrorShapes shapes(Window window) {
         return shapes.computeIfAbsent(window, own -> ErrorShapes.of(this).in(this, own));
@@ -220,13 +225,10 @@ public final class Evidence {
                 .map(part -> new Evidence(part, part.input(), Windows.whole(part), sources, library, new ConcurrentHashMap<>())));
     }
 
-    /**
-     * The same evidence, of a rig, with less noise, where a fit leaves so little that its outputs' sensors have to be better than they
-     * looked; empty where nothing shows that.
-     */
+    /** The same evidence, with less noise than it is bounded by, where a fit leaves less; empty where nothing shows that. */
     public Optional<Evidence> beside(Fitter.State fit) {
-        return onRig() && !fit.failed() ? measured.beside(new Readings(this).of(fit))
-                .map(quieter -> new Evidence(quieter, excitation, windows, sources, library, new ConcurrentHashMap<>())) : Optional.empty();
+        return measured.isNoiseKnown() || fit.failed() ? Optional.empty() : measured.beside(new Readings(this).of(fit))
+                .map(quieter -> new Evidence(quieter, excitation, windows, sources, library, new ConcurrentHashMap<>()));
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -29,18 +29,23 @@ public record Windows(Window fit, Window heldOut) {
      */
     static Windows of(Measured measured) {
         int split = measured.split();
-        double rate = measured.recording().clock().rate();
         int start = start(measured);
         int proof = measured.isChosen() ? split + start : split;   // another ride begins with what nobody saw before it
-        return measured.onRig() ? new Windows(new Window(start, split - start, rate, 0), toEnd(proof, measured))
-                : new Windows(new Window(start, split - start, rate), toEnd(proof, measured)).counted(measured);
+        Windows all = new Windows(of(start, split - start, measured), toEnd(proof, measured));
+        return measured.onRig() ? all : all.counted(measured);
+    }
+
+    /** On a rig with constants. */
+    private static Window of(int from, int length, Measured measured) {
+        double rate = measured.recording().clock().rate();
+        return measured.onRig() ? new Window(from, length, rate, 0) : new Window(from, length, rate);
     }
 
     /** Fitted at the end and proved at the beginning, for what shows only late. */
     static Windows late(Measured measured) {
         int start = start(measured);
         int split = measured.recording().length() - measured.split();
-        return new Windows(toEnd(split, measured), new Window(start, split - start, measured.recording().clock().rate()));
+        return new Windows(toEnd(split, measured), of(start, split - start, measured));
     }
 
     /** Fitted in all there is, which proves nothing then. */
@@ -56,9 +61,8 @@ public record Windows(Window fit, Window heldOut) {
     }
 
     private static Window toEnd(int from, Measured measured) {
-        double rate = measured.recording().clock().rate();
         int left = measured.recording().length() - from;
-        return measured.onRig() ? new Window(from, left, rate, 0) : new Window(from, left - (int) (END * rate), rate);
+        return of(from, measured.onRig() ? left : left - (int) (END * measured.recording().clock().rate()), measured);
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -40,12 +40,12 @@ public final class LawProof {
     }
 
     /**
-     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise
-     * is not known, all that is left may be that.
+     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. Where noise is only
+     * bounded, all that is left may be that.
      */
     public static boolean lacks(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
-        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw)
+        return (named.evidence().floor() < 1 || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw)
                 && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
     }
 
@@ -66,13 +66,13 @@ public final class LawProof {
         Fitter.State than = name.fit();
         int parts = than.candidate().added().size();
         // What leaves more than the name by far does not come to leave less by polishing.
-        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + Effort.ALIKE * (than.reduced() - floor());
+        double reach = parts == 0 ? Double.POSITIVE_INFINITY : evidence.floor() + Effort.ALIKE * (than.reduced() - evidence.floor());
         List<Sentence> near = sentences.stream().filter(Sentence::shows).limit(Effort.LEADERS)
                 .filter(sentence -> sentence.fit().reduced() < reach).toList();
         return Parallel.map(near, sentence -> sentence.fitted(search.refinement().polish(sentence.fit()))).stream()
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
-                    return evident && (correction && evidence.onRig() ? foretells(sentence.fit(), than)
+                    return evident && (correction && evidence.floor() < 1 ? foretells(sentence.fit(), than)
                             : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.MAJORITY));
                 }).findFirst();
     }
@@ -87,18 +87,11 @@ public final class LawProof {
                 search.refinement().heldOut(name.fit()));
     }
 
-    /**
-     * Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be
-     * missing: its noise is not known.
-     */
+    /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. */
     private boolean holds(Fitter.State fit, Fitter.State than, double most) {
-        return fit.reduced() - floor() < most * (than.reduced() - floor())
-                && search.refinement().heldOut(fit) - floor() < most * (search.refinement().heldOut(than) - floor());
-    }
-
-    /** What noise leaves at least. */
-    private double floor() {
-        return evidence.onRig() ? 0 : 1;
+        double floor = evidence.floor();
+        return fit.reduced() - floor < most * (than.reduced() - floor)
+                && search.refinement().heldOut(fit) - floor < most * (search.refinement().heldOut(than) - floor);
     }
 
     /** Whether a fit leaves less on data not used by more than chance. */

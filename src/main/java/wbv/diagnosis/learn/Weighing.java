@@ -13,13 +13,13 @@ import wbv.diagnosis.search.Search;
 /** Sentences on one model, seen through one whitening and beside the best of them, so that their evidences compare. */
 final class Weighing {
 
-    private final boolean onRig;
+    private final boolean bounded;
     private final Fitter fitter;
     private final Fitter.State base;
 
     /** @param base on which all sentences stand */
     Weighing(Evidence evidence, Search search, Fitter.State base) {
-        this.onRig = evidence.onRig();
+        this.bounded = evidence.floor() < 1;
         this.fitter = search.fitter();
         this.base = base;
     }
@@ -35,7 +35,7 @@ final class Weighing {
     }
 
     /**
-     * All seen through the whitening of the one that leaves least, most evident first. On a rig, whose noise is not known, in units of what
+     * All seen through the whitening of the one that leaves least, most evident first. Where noise is only bounded, in units of what
      * that leaves.
      */
     List<Sentence> of(List<Sentence> sentences) {
@@ -47,7 +47,7 @@ final class Weighing {
         double[] left = Parallel.map(sentences, sentence -> left(sentence.fit(), frame)).stream().mapToDouble(Double::doubleValue)
                 .toArray();
         double least = Arrays.stream(left).min().orElseThrow();
-        double unit = onRig ? least : 1;
+        double unit = bounded ? least : 1;
         double without = left(base, frame) / unit;
         return IntStream.range(0, left.length).mapToObj(i -> {
             Sentence sentence = sentences.get(i);

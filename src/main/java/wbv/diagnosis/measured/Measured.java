@@ -104,15 +104,11 @@ public final class Measured {
     }
 
     /**
-     * The same with less noise, where on a rig a model leaves so little that its sensors have to be better than they looked; empty where
-     * nothing shows that.
+     * The same with less noise than it is bounded by, where a model leaves less; empty where nothing shows that.
      *
      * @param read what its outputs' sensors read by that model, by output, in their units. Not modified.
      */
     public Optional<Measured> beside(double[][] read) {
-        if (!onRig()) {
-            return Optional.empty();
-        }
         SensorNoise.Levels levels = reading.onRig(input, split, IntStream.range(0, read.length)
                 .mapToObj(o -> left(outputs.get(o), read[o])).toArray(double[][]::new));
         return IntStream.range(0, read.length).anyMatch(o -> levels.outputs()[o] < NOTICED * noise()[o])
@@ -205,6 +201,16 @@ public final class Measured {
     /** Standard deviation of a sample, by output, in its unit. Not a copy. */
     public double[] noise() {
         return noise.outputs();
+    }
+
+    /** Whether how noisy the input's sensors are is known before a model tells it. */
+    public boolean isInputNoiseKnown() {
+        return !onRig();
+    }
+
+    /** Whether how noisy the sensors are is known, and not only that they are no noisier. */
+    public boolean isNoiseKnown() {
+        return reading.isKnown();
     }
 
     /** Channels of another kind, or of other axes than the sensor's own, that were recorded where it is. */

@@ -75,6 +75,11 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
         }).orElse(0.0);
     }
 
+    /** Whether it is known, and not only bounded. */
+    boolean isKnown() {
+        return stated.isPresent() || !model.isRig();
+    }
+
     /** Of a sitter. */
     Levels ofSitter() {
         Channel base = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()

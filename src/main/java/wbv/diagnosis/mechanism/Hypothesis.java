@@ -195,13 +195,10 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         int next = 0;
         for (Addition addition : additions) {
             Record law = (Record) ((Addition.OfLink) addition).law();
-            if (addition instanceof Addition.AlikeInLink alike) {
-                out.add((Law) Numbers.with(law, alike.numbers(own)));
-            } else {
-                own = Arrays.copyOfRange(values, next, next + Numbers.values(law).length);
-                next += own.length;
-                out.add((Law) Numbers.with(law, own));
-            }
+            boolean alike = addition instanceof Addition.AlikeInLink;
+            own = alike ? own : Arrays.copyOfRange(values, next, next + Numbers.values(law).length);
+            next += alike ? 0 : own.length;
+            out.add((Law) Numbers.with(law, addition instanceof Addition.AlikeInLink other ? other.numbers(own) : own));
         }
         return out;
     }
@@ -239,6 +236,11 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
     public boolean overturns() {
         return additions.stream().anyMatch(Addition::overturns);
+    }
+
+    /** Whether another at its place says the same more simply, and is preferred where both are about as likely. */
+    public boolean yieldsTo(Hypothesis rival) {
+        return rival.where.equals(where) && (kind.yieldsTo(rival) || byTheClock() && !rival.byTheClock() && kind.equals(rival.kind));
     }
 
     /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */

@@ -74,7 +74,7 @@ public sealed interface Mechanism
         return Optional.empty();
     }
 
-    /** Whether another hypothesis at its place is simpler, and preferred where both fit about equally. */
+    /** Whether another hypothesis is simpler where both act at one place, see {@link Hypothesis#yieldsTo}. */
     default boolean yieldsTo(Hypothesis rival) {
         return false;
     }

@@ -41,7 +41,7 @@ public final class OddSensor {
     /** The fit with the one sensor late that is odd; empty where none is, or more than one, or where the others want more then. */
     public Optional<Fitter.State> in(Fitter.State base) {
         List<Integer> odd = odd(base);
-        if (evidence.onRig() || odd.size() != 1) {
+        if (odd.size() != 1) {
             return Optional.empty();
         }
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));

@@ -120,7 +120,7 @@ public final class Search {
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
         List<Hypothesis> all = evidence.library()
-                .hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
+                .hypotheses(scene(base, fitted, motion, where));
         // In no form twice at one place.
         Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
@@ -134,7 +134,7 @@ public final class Search {
         List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polish));
         fits.stream().filter(fit -> !chosen.contains(fit)).forEach(out::add);
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        if (!evidence.onRig() && !out.isEmpty()) {
+        if (!out.isEmpty()) {
             double near = 1 + Effort.BEHIND * Refinement.excess(out.get(0).reduced());
             List<Fitter.State> first = out.stream().limit(Effort.LEADERS).filter(fit -> fit.reduced() < near).toList();
             Yielding yielding = new Yielding(refinement, all, base);

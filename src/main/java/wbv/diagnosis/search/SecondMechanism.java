@@ -7,13 +7,11 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
-import wbv.body.law.Reflex;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -41,7 +39,7 @@ public final class SecondMechanism {
 
     /** The fit with a second mechanism; empty where nothing asks for one. */
     public Optional<Chosen> of(Fitter.State single) {
-        boolean asked = !evidence.onRig() && Math.min(single.reduced(), refinement.heldOut(single)) > Priors.SILENT;
+        boolean asked = Math.min(single.reduced(), refinement.heldOut(single)) > Priors.SILENT;
         Set<Place> elsewhere = asked ? elsewhere(single) : Set.of();
         return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
                 .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
@@ -68,13 +66,10 @@ public final class SecondMechanism {
                 .collect(Collectors.toSet());
     }
 
-    /** The fit, or one with a memory in place of a reflex, which imitates it, where that does nearly as well. */
+    /** The fit, or one with a simpler law at its place, as a memory in that of a reflex, where that is as likely. */
     private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
         Hypothesis found = fit.candidate().last();
-        if (!(found.additions().get(0) instanceof Addition.InLink in && in.law() instanceof Reflex)) {
-            return fit;
-        }
-        return search.best(single, h -> found.kind().yieldsTo(h) && h.where().equals(found.where()))
-                .filter(other -> Calibration.standard().isAsLikely(other.reduced(), fit.reduced())).orElse(fit);
+        return search.best(single, found::yieldsTo).filter(other -> Calibration.standard().isAsLikely(other.reduced(), fit.reduced()))
+                .orElse(fit);
     }
 }

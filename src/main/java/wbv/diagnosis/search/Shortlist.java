@@ -39,7 +39,7 @@ final class Shortlist {
 
     /** The link in which an arbitrary force would explain most; empty with a single output, where each would explain all. */
     private String carryingLink(Fitter.State base) {
-        if (evidence.outputs().size() < 2 || evidence.onRig()) {
+        if (evidence.outputs().size() < 2) {
             return "";
         }
         Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(base.candidate().at(base.x()));

@@ -77,9 +77,6 @@ public final class Whereabouts {
      */
     public static Whereabouts found(Evidence evidence, Fitter.State base) {
         Candidate baseline = base.candidate();
-        if (evidence.onRig()) {
-            return beside(evidence, baseline, Places.of(List.of(), true));
-        }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
         return part.filter(brief -> shows(brief, base))
@@ -171,7 +168,7 @@ public final class Whereabouts {
     }
 
     private Optional<BodyForce> force(Predicate<BodyForce> kind) {
-        if (evidence.onRig() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
         Set<Place> near = near(baseline, places.found(), 0);
