@@ -116,7 +116,8 @@ final class Learning {
     }
 
     private static Stream<Sentence> others(Learnt learnt) {
-        return learnt.sentences().stream().filter(each -> each.left() != learnt.law().left() && each.evidence() <= learnt.law().evidence());
+        return learnt.sentences().stream().filter(each -> !each.terms().equals(learnt.law().terms())
+                && each.evidence() <= learnt.law().evidence());
     }
 
     private List<Diagnosis.LearnedLaw.Rival> rivals(Learnt learnt) {

@@ -29,14 +29,17 @@ public final class LawProof {
     }
 
     /**
-     * Whether named physics, laws among it, leave more than noise: then it may be another law, which only looks like it. What stands for a
-     * simulation carries no law quite as that would, so that there a right one may leave more.
+     * Whether named physics, laws among it, leave more than noise, or are two at one place: then it may be another law, which only looks
+     * like it, or like both together. What stands for a simulation carries no law quite as that would, so that there a right one may leave
+     * more.
      */
     public static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && (named.evidence().standsForSimulation() ? leavesMuch(named) : named.best().reduced() > Priors.SILENT);
+        boolean twofold = added.stream().map(Place::of).distinct().count() < added.size();
+        return physics && (twofold
+                || (named.evidence().standsForSimulation() ? leavesMuch(named) : named.best().reduced() > Priors.SILENT));
     }
 
     /**
@@ -57,7 +60,7 @@ public final class LawProof {
 
     /**
      * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more
-     * parts than it has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
+     * parts than it has terms it need not leave less. Beside any name its evidence has to be greater.
      *
      * @param sentences most evident first
      * @param name what is known without it: the model alone, or with what was named
@@ -72,8 +75,8 @@ public final class LawProof {
         return Parallel.map(near, sentence -> sentence.fitted(search.refinement().polish(sentence.fit()))).stream()
                 .filter(sentence -> {
                     boolean evident = parts == 0 || correction || outweighs(sentence, name);
-                    return evident && (correction && evidence.floor() < 1 ? foretells(sentence.fit(), than)
-                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.MAJORITY));
+                    return evident && (sentence.fit().candidate().added().size() < parts
+                            || (correction && evidence.floor() < 1 ? foretells(sentence.fit(), than) : holds(sentence.fit(), than)));
                 }).findFirst();
     }
 
@@ -87,11 +90,11 @@ public final class LawProof {
                 search.refinement().heldOut(name.fit()));
     }
 
-    /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. */
-    private boolean holds(Fitter.State fit, Fitter.State than, double most) {
+    /** Whether a fit leaves less than half of what is missing without it, on data used and not used. */
+    private boolean holds(Fitter.State fit, Fitter.State than) {
         double floor = evidence.floor();
-        return fit.reduced() - floor < most * (than.reduced() - floor)
-                && search.refinement().heldOut(fit) - floor < most * (search.refinement().heldOut(than) - floor);
+        return fit.reduced() - floor < Priors.MAJORITY * (than.reduced() - floor)
+                && search.refinement().heldOut(fit) - floor < Priors.MAJORITY * (search.refinement().heldOut(than) - floor);
     }
 
     /** Whether a fit leaves less on data not used by more than chance. */
