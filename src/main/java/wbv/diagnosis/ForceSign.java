@@ -152,7 +152,6 @@ final class ForceSign {
         }
         double average = Arrays.stream(work).average().orElse(0);
         double square = Arrays.stream(work).map(w -> (w - average) * (w - average)).sum() / (Effort.STRETCHES - 1);
-        return average < -SURE
-                * Math.sqrt(square / Effort.STRETCHES);
+        return average < -SURE * Math.sqrt(square / Effort.STRETCHES);
     }
 }

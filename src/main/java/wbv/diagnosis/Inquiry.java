@@ -63,7 +63,8 @@ final class Inquiry {
 
     /** The same where noise of the input counts too of which nobody knew, as far as a fit leaves it; itself where nothing shows any. */
     Inquiry hearingInput(Fitter.State fit) {
-        Map<Channel, Double> levels = evidence.heard().isEmpty() ? new InputLevel(evidence).of(fit) : Map.of();
+        boolean open = !evidence.measured().isInputNoiseKnown() && evidence.heard().isEmpty();
+        Map<Channel, Double> levels = open ? new InputLevel(evidence).of(fit) : Map.of();
         return levels.isEmpty() ? this : new Inquiry(evidence.with(levels), baseline, progress);
     }
 

@@ -58,7 +58,7 @@ public final class InputLevel {
     }
 
     private List<InputWay> ways(Assembly assembly) {
-        return evidence.measured().isInputNoiseKnown() ? List.of() : InputWay.of(evidence, evidence.excitation(), assembly);
+        return InputWay.of(evidence, evidence.excitation(), assembly);
     }
 
     /** White noise is no stronger than the quietest band of what the sensor reads. */

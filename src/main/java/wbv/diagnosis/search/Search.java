@@ -119,8 +119,7 @@ public final class Search {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
-        List<Hypothesis> all = evidence.library()
-                .hypotheses(scene(base, fitted, motion, where));
+        List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
         // In no form twice at one place.
         Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
