@@ -143,6 +143,8 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried, double lead) {
         Entering entering = Entering.along(evidence, state, direction);
         Window window = state.frame().whitening().window();
-        return new BodyForce(body, ForceBands.of(entering, window), carried, LevelDependence.of(evidence, window, entering.signal()), lead);
+        ForceBands bands = ForceBands.of(entering, window);
+        return new BodyForce(body, bands, carried, LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window)),
+                lead);
     }
 }

@@ -113,6 +113,25 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
         return power[power.length - 1];
     }
 
+    /**
+     * The force, each line weighed by what it tells of the level of all together, √S/(S + N) with the force's power S and the noise's N: the
+     * derivative of Whittle's (1953) likelihood by a factor of S is the sum of the squares of that, but for a constant. By itself a force
+     * on a body is mostly the noise of the lowest lines, which accelerations hardly show, and its level scatters as that of so few.
+     *
+     * @param force whose bands these are
+     * @return [1/N], at the lines of the window, a new array
+     */
+    double[] telling(Entering force, Window window) {
+        double[] out = force.signal().clone();
+        for (int line = 0; line < window.lines(); line++) {
+            double own = power(window.frequency(line));
+            double weight = own > 0 ? Math.sqrt(own) / (own + force.variance()[line]) : 0;
+            out[2 * line] *= weight;
+            out[2 * line + 1] *= weight;
+        }
+        return out;
+    }
+
     /** The same force where all masses are greater by a factor. */
     ForceBands scaled(double factor) {
         return new ForceBands(factor * rms, factor * even, edges, Arrays.stream(power).map(p -> factor * factor * p).toArray());

@@ -26,12 +26,15 @@ public record LevelDependence(double slope, double doubt) {
     private static final int FEWEST = 5;
     private static final double COHERENT = 0.35;
 
-    /** @param force spectrum at the window's lines [N] */
-    static LevelDependence of(Evidence evidence, Window window, double[] force) {
-        double[] series = window.series(force);
-        if (answers(evidence, window, series)) {
+    /**
+     * @param force spectrum at the window's lines [N]
+     * @param telling the same, each line weighed by what it tells of the force's level
+     */
+    static LevelDependence of(Evidence evidence, Window window, double[] force, double[] telling) {
+        if (answers(evidence, window, window.series(force))) {
             return new LevelDependence(Double.POSITIVE_INFINITY, 0);
         }
+        double[] series = window.series(telling);
         Excitation excitation = evidence.excitation();
         double[] ride = excitation.series(excitation.baseSpectrum());
         int block = (int) (BLOCK * evidence.recording().clock().rate());
