@@ -108,14 +108,9 @@ final class Inquiry {
         return fit.reduced() < most && heldOut(fit) < most;
     }
 
-    /** The best few fitted in the whitening of this base, the others looked at in it. */
+    /** Fits seen again through the noise that this knows of, least first. */
     List<Fitter.State> again(List<Fitter.State> fits) {
-        Fitter.State base = base();
-        int leading = Math.min(Effort.LEADERS, fits.size());
-        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement()::polish));
-        fits.subList(leading, fits.size()).forEach(fit -> out.add(search.fitter().look(fit.candidate(), fit.x(), base.frame())));
-        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        return out;
+        return search.again(base(), fits);
     }
 
     /** The force that a fit leaves, whatever force is known of already. */

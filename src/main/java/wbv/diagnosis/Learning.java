@@ -59,16 +59,22 @@ final class Learning {
 
     private Diagnosed completed(Diagnosed found, Fits fits) {
         boolean refused = isRefused(found);
+        boolean doubts = !refused && LawProof.doubts(fits);
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
-        Optional<Learnt> law = refused || LawProof.doubts(fits) ? law(fits, refused) : Optional.empty();
+        // A law in place of a name that explains nearly all differs from it by little, as a form of it does: what that may gain shows
+        // beside the name. Two at one place it may outweigh and gain nothing.
+        boolean near = Refinement.explainsNearlyAll(fits.base(), fits.best()) && !LawProof.isTwofold(fits);
+        boolean bounded = evidence.floor() < 1;
+        LawLearner beside = new LawLearner(evidence, search, fits.best(), List.of());
+        boolean promising = (doubts && near || lacks && !bounded) && beside.promises();
+        Optional<Learnt> law = refused || (doubts && (promising || !near)) ? law(fits, refused) : Optional.empty();
         boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
                 && law.filter(alone -> Refinement.explainsNearlyAll(fits.base(), alone.law().fit())).isPresent();
-        Optional<Learnt> form = lacks && !dressed ? form(fits) : Optional.empty();
-        return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
+        Optional<Learnt> form = lacks && !dressed && (promising || bounded) ? form(fits, beside) : Optional.empty();
+        return law.filter(alone -> form.map(own -> alone.learner().isLikelier(alone.law(), own.law())).orElse(true))
                 .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
                 .or(() -> form
-                        .flatMap(
-                                beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside))))
+                        .flatMap(own -> told(own, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(own))))
                 .orElse(found);
     }
 
@@ -99,9 +105,8 @@ final class Learning {
     }
 
     /** What a named law does beside the library's form of it, where that can be learned. */
-    private Optional<Learnt> form(Fits fits) {
+    private Optional<Learnt> form(Fits fits, LawLearner learner) {
         progress.accept("learning the form", 0.85);
-        LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
         List<Sentence> sentences = learner.sentences(fits.best());
         return learner.law(sentences, fits.chosen()).map(law -> new Learnt(learner, sentences, law));
     }

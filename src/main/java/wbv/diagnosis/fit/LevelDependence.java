@@ -24,6 +24,8 @@ public record LevelDependence(double slope, double doubt) {
     /** Length of a block [s]. */
     private static final double BLOCK = 4;
     private static final int FEWEST = 5;
+    /** Standard deviations that chance passes once in a thousand times [1]. */
+    private static final double EXCLUDED = 3.1;
     private static final double COHERENT = 0.35;
 
     /**
@@ -108,9 +110,9 @@ public record LevelDependence(double slope, double doubt) {
         return doubt < FOLLOWING;
     }
 
-    /** Whether it may well be that it hardly follows. */
+    /** Whether it is not ruled out that it hardly follows: beside what the ride causes there may be what it does not. */
     boolean mayBeWeak() {
-        return slope - 2 * Math.min(doubt, 1) < FOLLOWING;
+        return slope - EXCLUDED * Math.min(doubt, 1) < FOLLOWING;
     }
 
     /** Whether it is known not to follow as what the ride causes does. */

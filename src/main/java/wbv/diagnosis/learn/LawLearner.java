@@ -75,6 +75,16 @@ public final class LawLearner {
         return weighing.of(all).stream().filter(sentence -> said.add(sentence.said())).toList();
     }
 
+    /**
+     * Whether terms beside what is named promise to leave so little that they may hold, or a law in its place.
+     *
+     * @see LawProof#within
+     */
+    public boolean promises() {
+        double most = LawProof.within(evidence, base);
+        return links().stream().anyMatch(link -> openings.promise(link, most));
+    }
+
     /** Tables in place of a formula, most evident first. */
     public List<Sentence> tables() {
         List<Sentence> all = new ArrayList<>();

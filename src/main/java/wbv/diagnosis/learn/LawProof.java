@@ -37,9 +37,22 @@ public final class LawProof {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        boolean twofold = added.stream().map(Place::of).distinct().count() < added.size();
-        return physics && (twofold
+        return physics && (isTwofold(named)
                 || (named.evidence().standsForSimulation() ? leavesMuch(named) : named.best().reduced() > Priors.SILENT));
+    }
+
+    /** Whether two are named at one place. */
+    public static boolean isTwofold(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        return added.stream().map(Place::of).distinct().count() < added.size();
+    }
+
+    /**
+     * What terms beside a name may leave, to first order, where what holds has to take most of what the name leaves [1]: half of that gain
+     * has to show.
+     */
+    static double within(Evidence evidence, Fitter.State named) {
+        return named.reduced() - Priors.MAJORITY / Effort.ALIKE * (named.reduced() - evidence.floor());
     }
 
     /**

@@ -67,6 +67,18 @@ final class Openings {
         return enough ? first : first.and(along(link, best.fit()));
     }
 
+    /**
+     * Whether terms beside those of the base promise to leave so little. A law in place of one that leaves little is that one and what they
+     * differ by, which is small: beside it the first order says what any law may gain there.
+     *
+     * @param most mean square of the whitened residual that may be left [1]
+     */
+    boolean promise(int link, double most) {
+        Ground ground = Ground.beside(evidence, base, base);
+        return scored(ground, link, Effort.SECONDS, grammar -> grammar.terms(known(ground)), term -> true)
+                .map(scored -> scored.promising().stream().anyMatch(proposal -> proposal.left() < most)).orElse(false);
+    }
+
     private Opening asMeasured(int link, double[] x) {
         return once(link, Arrays.stream(x).boxed().toList(),
                 () -> opened(Ground.asMeasured(evidence, base.candidate(), x, Effort.BEGUN_TERMS), link, Effort.SECONDS, term -> true));
@@ -101,18 +113,35 @@ final class Openings {
 
     /** The most promising laws, or terms beside a law, fitted by free run. */
     private Opening opened(Ground ground, int link, int most, Predicate<Hypothesis> open) {
-        List<Learned> known = ground.on().at(ground.x()).laws().stream().map(LawAt::law).filter(Learned.class::isInstance)
-                .map(Learned.class::cast).toList();
-        return opened(ground, link, most, grammar -> grammar.terms(known), open);
+        return opened(ground, link, most, grammar -> grammar.terms(known(ground)), open);
+    }
+
+    private static List<Learned> known(Ground ground) {
+        return ground.on().at(ground.x()).laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast)
+                .toList();
     }
 
     /** @param words of the grammar */
     private Opening opened(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
             Predicate<Hypothesis> open) {
-        Fitter fitter = search.fitter();
-        Fitter.State scored = fitter.lookWithSlopes(ground.on(), ground.x(), base.frame());
+        return scored(ground, link, most, words, open).map(scored -> opened(ground, scored, most)).orElse(Opening.NONE);
+    }
+
+    /**
+     * What terms promise on a ground.
+     *
+     * @param state where they were scored
+     * @param kin those beside which more are begun
+     * @param promising those that pay for their choice and their numbers to first order, most worth first
+     */
+    private record Scored(Fitter.State state, Sentences sentences, Vocabulary vocabulary, List<Sentences.Proposal> kin,
+            List<Sentences.Proposal> promising) {}
+
+    private Optional<Scored> scored(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
+            Predicate<Hypothesis> open) {
+        Fitter.State scored = search.fitter().lookWithSlopes(ground.on(), ground.x(), base.frame());
         if (scored.failed()) {
-            return Opening.NONE;
+            return Optional.empty();
         }
         Assembly assembly = ground.on().at(ground.x());
         Motion motion = ground.motion();
@@ -124,9 +153,18 @@ final class Openings {
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link, vocabulary);
         List<Sentences.Proposal> kin = sentences.of(
                 terms.stream().filter(term -> ground.kin().contains(Grammar.modulator(term))).toList(), 1, term -> Optional.empty());
-        // What does not pay for its choice and its numbers to first order is not begun.
         List<Sentences.Proposal> promising = sentences.of(terms, most, grammar::limited).stream().filter(proposal -> proposal.worth() > 0)
                 .toList();
+        return Optional.of(new Scored(scored, sentences, vocabulary, kin, promising));
+    }
+
+    private Opening opened(Ground ground, Scored on, int most) {
+        Fitter fitter = search.fitter();
+        Fitter.State scored = on.state();
+        Sentences sentences = on.sentences();
+        Vocabulary vocabulary = on.vocabulary();
+        List<Sentences.Proposal> kin = on.kin();
+        List<Sentences.Proposal> promising = on.promising();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> promising.stream().filter(proposal -> proposal.terms().size() == length).limit(Effort.FINALISTS / most))
                 .toList();

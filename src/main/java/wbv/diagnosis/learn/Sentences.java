@@ -62,8 +62,9 @@ final class Sentences {
      * @param stiffness by how much the link's own changes beside it [N/m]
      * @param damping likewise [N s/m]
      * @param worth   by how much it gains more than chance may make it gain, to first order [nat]
+     * @param left    mean square of the whitened residual that it leaves to first order [1]
      */
-    record Proposal(List<Hypothesis> terms, List<double[]> values, double stiffness, double damping, double worth) {
+    record Proposal(List<Hypothesis> terms, List<double[]> values, double stiffness, double damping, double worth, double left) {
 
         String kind() {
             return terms.stream().map(Hypothesis::form).sorted().toList().toString();
@@ -212,8 +213,9 @@ final class Sentences {
         }
         List<Hypothesis> terms = chosen.stream().map(Column::term).toList();
         double degrees = state.frame().whitening().degrees();
-        double unit = Math.max(1, (state.square() - gain) / degrees);
-        return new Proposal(terms, values, strength[0], strength[1], gain / (2 * unit) - Sentence.chance(words, terms, degrees));
+        double left = (state.square() - gain) / degrees;
+        return new Proposal(terms, values, strength[0], strength[1],
+                gain / (2 * Math.max(1, left)) - Sentence.chance(words, terms, degrees), left);
     }
 
     /**

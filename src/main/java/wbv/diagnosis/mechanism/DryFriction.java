@@ -23,6 +23,8 @@ record DryFriction() implements Mechanism {
      */
     static final double STUCK = 1e-6;
 
+    private static final String BRISTLES = "bristles";
+
     @Override
     public Entry entry() {
         return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
@@ -38,7 +40,7 @@ record DryFriction() implements Mechanism {
         double v = link.speed();
         return List.of(Hypothesis.law(this, link, "", new CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
                 grid(new double[] {0.02, 0.15}, q -> Start.of(new double[] {1, Math.max(3e-4, q * v)}, new int[] {0}))),
-                Hypothesis.law(this, link, "bristles", new BristleFriction(1, 1.05, 0.01, 1 / (0.2 * r)),
+                Hypothesis.law(this, link, BRISTLES, new BristleFriction(1, 1.05, 0.01, 1 / (0.2 * r)),
                         List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400), factor(1e-3, 0.1), factor(0.02 / r, 2e4 / r)),
                         grid(new double[] {0.1, 0.5}, q -> Start.of(new double[] {1, 1.05, 0.01, 1 / (q * r)}, new int[] {0, 1, 3}))));
     }
@@ -49,7 +51,7 @@ record DryFriction() implements Mechanism {
         double f = link.force();
         return List.of(Hypothesis.law(this, link, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(STUCK * v, 3 * v)),
                 grid(new double[] {1e-4, 0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
-                Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
+                Hypothesis.law(this, link, BRISTLES, new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
                         List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v),
                                 factor(0.1 * f / r, 1000 * f / r)),
                         bristles(f, r, v)));
@@ -64,6 +66,19 @@ record DryFriction() implements Mechanism {
             }
         }
         return starts;
+    }
+
+    /** With bristles that bend as far under the friction that was found: how strong it is shows in any form. */
+    @Override
+    public Optional<Hypothesis> begunAt(Hypothesis form, double[] found) {
+        return Optional.of(form).filter(bristles -> bristles.form().equals(BRISTLES) && found[0] > 0)
+                .map(bristles -> new Hypothesis(this, bristles.where(), BRISTLES, bristles.additions(), bristles.numbers(),
+                        bristles.starts().stream().map(start -> as(found[0], start.values())).toList()));
+    }
+
+    private static Start as(double friction, double[] bristles) {
+        double by = friction / bristles[0];
+        return fixed(friction, by * bristles[1], bristles[2], by * bristles[3]);
     }
 
     @Override

@@ -74,6 +74,16 @@ public sealed interface Mechanism
         return Optional.empty();
     }
 
+    /**
+     * Another form of it, begun where its plain form was found; empty where that is no better place than its own starts.
+     *
+     * @param form hypothesis of its at the place
+     * @param found values of the plain one, each in its unit. Not modified.
+     */
+    default Optional<Hypothesis> begunAt(Hypothesis form, double[] found) {
+        return Optional.empty();
+    }
+
     /** Whether another hypothesis is simpler where both act at one place, see {@link Hypothesis#yieldsTo}. */
     default boolean yieldsTo(Hypothesis rival) {
         return false;

@@ -137,12 +137,34 @@ public final class Search {
             double near = 1 + Effort.BEHIND * Refinement.excess(out.get(0).reduced());
             List<Fitter.State> first = out.stream().limit(Effort.LEADERS).filter(fit -> fit.reduced() < near).toList();
             Yielding yielding = new Yielding(refinement, all, base);
-            FurtherForm further = new FurtherForm(refinement, base);
+            FurtherForm further = new FurtherForm(refinement, base, all);
             Stream.<Function<Fitter.State, List<Fitter.State>>>of(yielding::rivals, further::rivals)
                     .forEach(rivals -> first.stream().map(rivals).filter(some -> !some.isEmpty()).findFirst().ifPresent(out::addAll));
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;
+    }
+
+    /**
+     * Fits on top of a base seen again through other noise, least first: the best few fitted, the first of them in its further form too if
+     * that pays now, the others looked at.
+     *
+     * @param base seen through that noise
+     */
+    public List<Fitter.State> again(Fitter.State base, List<Fitter.State> fits) {
+        int leading = Math.min(Effort.LEADERS, fits.size());
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement::polish));
+        fits.subList(leading, fits.size()).forEach(fit -> out.add(fitter.look(fit.candidate(), fit.x(), base.frame())));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        out.addAll(new FurtherForm(refinement, base, hypotheses(base)).rivals(out.get(0)));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
+    }
+
+    /** Those of the library at a fit. */
+    private List<Hypothesis> hypotheses(Fitter.State base) {
+        Assembly fitted = base.candidate().at(base.x());
+        return evidence.library().hypotheses(FittedScene.of(evidence, fitted, new Motion(evidence, fitted)));
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
