@@ -49,10 +49,12 @@ public final class LawProof {
 
     /**
      * What terms beside a name may leave, to first order, where what holds has to take most of what the name leaves [1]: half of that gain
-     * has to show.
+     * has to show. Of what may be noise as much has to go as of the least that is not.
      */
     static double within(Evidence evidence, Fitter.State named) {
-        return named.reduced() - Priors.MAJORITY / Effort.ALIKE * (named.reduced() - evidence.floor());
+        double floor = evidence.floor();
+        double excess = Math.max(named.reduced() - floor, (Priors.SILENT - 1) * floor);
+        return named.reduced() - Priors.MAJORITY / Effort.ALIKE * excess;
     }
 
     /**

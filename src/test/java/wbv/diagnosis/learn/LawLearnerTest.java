@@ -1,6 +1,7 @@
 package wbv.diagnosis.learn;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -101,6 +102,21 @@ public class LawLearnerTest {
         assertEquals(diagnosis.learned().orElseThrow().terms(), written.links().get(0).laws());
         assertTrue(diagnosis.missing().get(0).intervals().keySet().stream().allMatch(key -> key.contains("of r × wave")),
                 "" + diagnosis.missing());
+    }
+
+    /** Beside a right name no term promises anything; beside one that only looks like the law, to first order, the law does. */
+    @Test
+    void besideARightNameNothingIsPromised() {
+        assertFalse(promises(new CubicSpring(2e9), "stiffness.hardening"));
+        assertTrue(promises(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8), "damping.quadratic"));
+    }
+
+    private static boolean promises(Law law, String name) {
+        Evidence evidence = new Evidence(model(List.of()), recording(law));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State named = search.best(search.base(Baseline.of(evidence)),
+                hypothesis -> hypothesis.where().equals("platform-torso") && hypothesis.mechanism().equals(name)).orElseThrow();
+        return new LawLearner(evidence, search, named, List.of()).promises();
     }
 
     /** The library has damping that grows with speed, which looks like damping that grows with deflection and leaves much of it. */

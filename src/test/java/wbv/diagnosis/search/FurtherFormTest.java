@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
+import wbv.body.law.BristleFriction;
 import wbv.body.law.GradualSaturation;
 import wbv.body.number.Numbers;
 import wbv.diagnosis.fit.Augmented;
@@ -17,7 +19,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.learn.LawLearnerTest;
 
-/** A mass that nobody sees on a spring of either kind, and softening over bends of any width. */
+/** A mass that nobody sees on a spring of either kind, and softening over bends of any width, friction with bristles. */
 class FurtherFormTest {
 
     private static final double MASS = 6;
@@ -56,6 +58,19 @@ class FurtherFormTest {
         if (found.length > 1) {
             assertEquals(sharpness, found[1], 0.15 * sharpness);
         }
+    }
+
+    /** Of friction the plain form alone is sought, and that with bristles begins where it is found. */
+    @Test
+    void frictionThatBreaksLooseIsFoundFromPlainFriction() {
+        BristleFriction truth = new BristleFriction(40, 60, 5e-3, 4e5);
+        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(truth));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State best = search.best(search.base(Baseline.of(evidence)), hypothesis -> hypothesis.where().equals("platform-torso")
+                && hypothesis.mechanism().equals("friction.coulomb") && hypothesis.form().isEmpty()).orElseThrow();
+        BristleFriction found = assertInstanceOf(BristleFriction.class, best.candidate().at(best.x()).laws().get(0).law());
+        assertEquals(truth.friction(), found.friction(), 0.1 * truth.friction());
+        assertEquals(truth.bristle(), found.bristle(), 0.2 * truth.bristle());
     }
 
     private static Model.HiddenMode found(double cubic) {
