@@ -39,10 +39,12 @@ record EndStop() implements Mechanism {
                 out.add(stop(link, side, 0.2 * k, List.of(sum(0.2 * k, 1e-6 * k, 40 * k), factor(2e-5, 2e-2)), LEAST,
                         side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98}));
             }
-            if (!scene.onRig() && side == Law.Side.COMPRESSION) {
-                double hertz = 0.5 * k / Math.sqrt(r);
-                out.add(Hypothesis.law(this, link, "hertz", new HertzStop(hertz, r, side),
-                        List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)), starts(link, side, hertz, LEAST, 0.5, 0.8)));
+            double hertz = 0.5 * k / Math.sqrt(r);
+            if (scene.onRig()) {
+                out.add(round(link, side, hertz, List.of(sum(hertz, 1e-6 * hertz, 1000 * hertz), factor(1e-3 * r, 20 * r)),
+                        LEAST_PART * r));
+            } else if (side == Law.Side.COMPRESSION) {
+                out.add(round(link, side, hertz, List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)), LEAST));
             }
         }
         return out;
@@ -56,6 +58,17 @@ record EndStop() implements Mechanism {
     private Hypothesis stop(Scene.Link link, Law.Side side, double k, List<Number> bounds, double least, double... shares) {
         return Hypothesis.law(this, link, side.name().toLowerCase(Locale.ROOT), new BumpStop(k, link.deflection(), side), bounds,
                 starts(link, side, k, least, shares));
+    }
+
+    /**
+     * One round as a ball is.
+     *
+     * @param k as its law has it, to start from
+     * @param least as for a straight one
+     */
+    private Hypothesis round(Scene.Link link, Law.Side side, double k, List<Number> bounds, double least) {
+        String form = side == Law.Side.COMPRESSION ? "hertz" : "hertz " + side.name().toLowerCase(Locale.ROOT);
+        return Hypothesis.law(this, link, form, new HertzStop(k, link.deflection(), side), bounds, starts(link, side, k, least, 0.5, 0.8));
     }
 
     private static List<Start> starts(Scene.Link link, Law.Side side, double k, double least, double... shares) {

@@ -84,6 +84,11 @@ public sealed interface Mechanism
         return Optional.empty();
     }
 
+    /** Whether it is a force over deflection alone: two of those in one link are one curve, and the second is the form of the first. */
+    default boolean isCurve() {
+        return family() == Family.SPRING || family() == Family.CONTACT;
+    }
+
     /** Whether another hypothesis is simpler where both act at one place, see {@link Hypothesis#yieldsTo}. */
     default boolean yieldsTo(Hypothesis rival) {
         return false;

@@ -44,6 +44,12 @@ record Scheduled(What what) implements Mechanism {
         };
     }
 
+    /** It goes by a channel that was measured. */
+    @Override
+    public boolean isCurve() {
+        return false;
+    }
+
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         List<Hypothesis> out = new ArrayList<>();

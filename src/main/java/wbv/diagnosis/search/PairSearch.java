@@ -182,8 +182,13 @@ public final class PairSearch {
         if (!Double.isFinite(first.cost())) {
             return Optional.empty();   // a run that left all bounds has nothing to be found beside it
         }
-        return search.best(first, Whereabouts.found(evidence, first).only(partners))
+        return search.best(first, Whereabouts.found(evidence, first).only(partners.and(second -> !isForm(second, first))))
                 .map(fit -> new Chosen(fit, price(partners)));
+    }
+
+    /** Whether what a hypothesis adds is a form of what a fit has at that place. */
+    private boolean isForm(Hypothesis second, Fitter.State first) {
+        return second.kind().isCurve() && first.candidate().last().kind().isCurve() && place(second).equals(Place.ofLast(first));
     }
 
     /**

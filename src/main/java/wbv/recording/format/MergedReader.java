@@ -46,7 +46,8 @@ public final class MergedReader implements RowReader {
         for (RowReader reader : readers) {
             for (Channel channel : reader.channels()) {
                 if (!seen.add(channel)) {
-                    throw new DataFault(channel + " stands in two of the recordings to join; give each sensor its own location");
+                    throw new DataFault(channel + " stands in two of the recordings to join; give each sensor its own location, "
+                            + "or, where it is another ride with the same sensors, diagnose it with --with");
                 }
             }
             all = all.orElse(reader.metadata());
