@@ -114,12 +114,13 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
     }
 
     /**
-     * The force, each line weighed by what it tells of the level of all together, √S/(S + N) with the force's power S and the noise's N: the
-     * derivative of Whittle's (1953) likelihood by a factor of S is the sum of the squares of that, but for a constant. By itself a force
-     * on a body is mostly the noise of the lowest lines, which accelerations hardly show, and its level scatters as that of so few.
+     * The force, each line weighed by what it tells of the level of all together, √S/(S + N) with the force's power S and the noise's
+     * N: the derivative of Whittle's (1953) likelihood by a factor of S is the sum of the squares of that, but for a constant. By itself
+     * a force on a body is mostly the noise of the lowest lines, which accelerations hardly show, and its level scatters as that of so
+     * few.
      *
      * @param force whose bands these are
-     * @return [1/N], at the lines of the window, a new array
+     * @return [1], at the lines of the window, a new array
      */
     double[] telling(Entering force, Window window) {
         double[] out = force.signal().clone();

@@ -78,7 +78,7 @@ public sealed interface Mechanism
      * Another form of it, begun where its plain form was found; empty where that is no better place than its own starts.
      *
      * @param form hypothesis of its at the place
-     * @param found values of the plain one, each in its unit. Not modified.
+     * @param found values, as many as the plain one has numbers, each in its unit. Not modified.
      */
     default Optional<Hypothesis> begunAt(Hypothesis form, double[] found) {
         return Optional.empty();
