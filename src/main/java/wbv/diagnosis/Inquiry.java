@@ -1,7 +1,5 @@
 package wbv.diagnosis;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,7 +9,6 @@ import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;

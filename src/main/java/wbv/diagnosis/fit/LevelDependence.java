@@ -24,7 +24,7 @@ public record LevelDependence(double slope, double doubt) {
     /** Length of a block [s]. */
     private static final double BLOCK = 4;
     private static final int FEWEST = 5;
-    /** Standard deviations that chance passes once in a thousand times [1]. */
+    /** Standard deviations that a normal deviate passes once in a thousand times [1]. */
     private static final double EXCLUDED = 3.1;
     private static final double COHERENT = 0.35;
 

@@ -156,7 +156,8 @@ public final class Search {
         List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement::polish));
         fits.subList(leading, fits.size()).forEach(fit -> out.add(fitter.look(fit.candidate(), fit.x(), base.frame())));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        out.addAll(new FurtherForm(refinement, base, hypotheses(base)).rivals(out.get(0)));
+        FurtherForm further = new FurtherForm(refinement, base, hypotheses(base));
+        out.addAll(out.stream().limit(1).flatMap(first -> further.rivals(first).stream()).toList());
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;
     }
