@@ -6,6 +6,8 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
+import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 import wbv.body.number.Check;
 
 /**
@@ -136,6 +138,22 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         double[] squares = held ? new double[0] : modes().getRealEigenvalues();
         double largest = Arrays.stream(squares).max().orElse(0);
         return Arrays.stream(squares).filter(square -> square > LOOSE * largest).map(square -> Math.sqrt(square) / (2 * Math.PI)).min();
+    }
+
+    /**
+     * How fast whatever it was doing dies down at least [1/s]: the slowest real part of its poles. 0 where something goes on as it was sent,
+     * infinite where nothing moves of its own accord.
+     */
+    public double slowestDecay() {
+        if (held) {
+            return Double.POSITIVE_INFINITY;
+        }
+        DMatrixRMaj state = stateMatrix(balance());
+        EigenDecomposition_F64<DMatrixRMaj> poles = DecompositionFactory_DDRM.eig(state.numRows, false);
+        if (!poles.decompose(state)) {
+            return 0;
+        }
+        return Math.max(0, IntStream.range(0, state.numRows).mapToDouble(i -> -poles.getEigenvalue(i).getReal()).min().orElse(0));
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import wbv.body.Model;
 import wbv.diagnosis.convention.ConventionCheck;
 import wbv.diagnosis.measured.AccelerationUnit;
+import wbv.diagnosis.measured.Excerpts;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -59,6 +60,12 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
+        return Excerpts.of(question.model(), question.recording(), question.provedFrom())
+                .map(pieces -> admitted(question.of(pieces), progress).saying(pieces.sentence()))
+                .orElseGet(() -> admitted(question, progress));
+    }
+
+    private static Diagnosed admitted(Question question, BiConsumer<String, Double> progress) {
         Model model = question.asked();
         // A person's accelerations in another unit are refused at once; how long a bench must be recorded goes by its numbers' units.
         Optional<Evidence> admitted = model.isRig() ? Optional.empty() : Optional.of(asked(question, model));

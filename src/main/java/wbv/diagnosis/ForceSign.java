@@ -82,7 +82,7 @@ final class ForceSign {
         Recording recording = question.recording();
         recording.channels().forEach(channel -> values.put(channel,
                 channels.contains(channel) ? negative(recording.values(channel)) : recording.values(channel)));
-        Question other = question.with(new Recording(recording.clock(), values, recording.metadata()));
+        Question other = question.with(recording.with(values));
         Evidence turned = new Evidence(other.asked(), other.recording(), other.noise(), other.provedFrom());
         double left = base(turned).reduced();
         if (!(left < Priors.MAJORITY * asRecorded)) {

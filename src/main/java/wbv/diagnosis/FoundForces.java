@@ -44,7 +44,7 @@ public record FoundForces(double[] time, Map<String, double[]> newtons) {
             Arrays.setAll(sum, s -> sum[s] + force[s]);
         }
         double[] time = new double[evidence.recording().length()];
-        Arrays.setAll(time, evidence.recording().clock()::time);
+        Arrays.setAll(time, evidence.recording()::time);
         return Optional.of(new FoundForces(time, newtons));
     }
 }

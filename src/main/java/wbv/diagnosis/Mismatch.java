@@ -25,7 +25,6 @@ final class Mismatch {
     /** Every output over all noise that reaches it, each by itself. */
     List<Diagnosis.Located> located() {
         Window window = evidence.fit();
-        double rate = evidence.recording().clock().rate();
         double[] omega = evidence.whole().omega();
         double[][] read = new Readings(evidence).of(base);
         NoiseMetric noise = new NoiseMetric(evidence, evidence.whole(), base.candidate().at(base.x()));
@@ -49,7 +48,8 @@ final class Mismatch {
             double[] byTime = Arrays.stream(window.series(spectrum)).map(value -> value * value).toArray();
             out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(),
                     new double[] {window.frequency(at(byLine, 0.1)), window.frequency(at(byLine, 0.9))},
-                    new double[] {(window.start() + at(byTime, 0.1)) / rate, (window.start() + at(byTime, 0.9)) / rate},
+                    new double[] {evidence.recording().elapsed(window.start() + at(byTime, 0.1)),
+                            evidence.recording().elapsed(window.start() + at(byTime, 0.9))},
                     power, power / (2 * byLine.length)));
         }
         double total = out.stream().mapToDouble(Diagnosis.Located::share).sum();

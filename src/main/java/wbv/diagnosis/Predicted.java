@@ -26,7 +26,7 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
     static Predicted of(Diagnosis diagnosis, Evidence evidence, Fitter.State chosen) {
         Window held = evidence.heldOut();
         double[] time = new double[held.length()];
-        Arrays.setAll(time, i -> evidence.recording().clock().time(held.start() + i));
+        Arrays.setAll(time, i -> evidence.recording().time(held.start() + i));
         Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
         double[][] model = new Simulator(whole).outputs(diagnosis.model().assembly());
         double[][] read = new Readings(evidence).of(chosen);

@@ -15,6 +15,7 @@ import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.measured.Excerpts;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -71,6 +72,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         return new Question(model, recording, simulation, noise, unitsKnown, time, library);
     }
 
+    /** The same of pieces of the recording. */
+    Question of(Excerpts pieces) {
+        return new Question(model, pieces.recording(), simulation, noise, unitsKnown, pieces.provedFrom(), library);
+    }
+
     /** The same of another recording. */
     Question with(Recording other) {
         return new Question(model, other, simulation, noise, unitsKnown, provedFrom, library);
@@ -123,7 +129,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         for (Channel channel : recording.channels()) {
             simulated.put(channel, recording.values(channel.equals(alike.get(0)) ? given : channel));
         }
-        Evidence evidence = Evidence.computed(model, new Recording(recording.clock(), simulated, recording.metadata()), noise);
+        Evidence evidence = Evidence.computed(model, recording.with(simulated), noise);
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
         Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 20,

@@ -16,6 +16,7 @@ public final class Recording {
     private final Map<Channel, double[]> values;
     private final Metadata metadata;
     private final int length;
+    private final Leaps leaps;
 
     /**
      * Checks that lengths fit; copies the map, not the samples.
@@ -24,6 +25,16 @@ public final class Recording {
      * @throws IllegalArgumentException if there is no channel, no sample, or the lengths differ
      */
     public Recording(Clock clock, Map<Channel, double[]> values, Metadata metadata) {
+        this(clock, values, metadata, Leaps.NONE);
+    }
+
+    /**
+     * As the shorter form, of pieces of a longer one.
+     *
+     * @param leaps where the next piece begins
+     */
+    public Recording(Clock clock, Map<Channel, double[]> values, Metadata metadata, Leaps leaps) {
+        this.leaps = leaps;
         if (values.isEmpty()) {
             throw new IllegalArgumentException("a recording needs at least one channel");
         }
@@ -47,6 +58,36 @@ public final class Recording {
         return clock;
     }
 
+    /** Where its time leaps ahead of the clock: nowhere, but in one that is made of pieces. */
+    public Leaps leaps() {
+        return leaps;
+    }
+
+    /** Time of a sample [s]: the clock's, and what it has leapt ahead since. */
+    public double time(long sample) {
+        return clock.time(sample) + leaps.later(sample);
+    }
+
+    /** Time from the first sample to another [s]. */
+    public double elapsed(long sample) {
+        return time(sample) - clock.start();
+    }
+
+    /** Other values on the same clock. {@code others} is treated as in the constructor. */
+    public Recording with(Map<Channel, double[]> others) {
+        return new Recording(clock, others, metadata, leaps);
+    }
+
+    /**
+     * The same at another rate.
+     *
+     * @param slow samples by channel at that rate, treated as in the constructor
+     * @param rate [Hz]
+     */
+    public Recording at(double rate, Map<Channel, double[]> slow) {
+        return new Recording(new Clock(clock.start(), rate), slow, metadata, leaps.slowed(rate / clock.rate()));
+    }
+
     /** What its file or its maker says beside the channels. */
     public Metadata metadata() {
         return metadata;
@@ -68,7 +109,7 @@ public final class Recording {
         }
         Map<Channel, double[]> cut = new LinkedHashMap<>();
         values.forEach((channel, samples) -> cut.put(channel, Arrays.copyOfRange(samples, from, to)));
-        return new Recording(new Clock(clock.time(from), clock.rate()), cut, metadata);
+        return new Recording(new Clock(time(from), clock.rate()), cut, metadata, leaps.within(from, to));
     }
 
     /** Length in time [s]: samples over rate. */

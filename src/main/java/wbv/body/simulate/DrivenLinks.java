@@ -139,7 +139,7 @@ final class DrivenLinks implements ModulatorSeries.Links {
         int[] moving = IntStream.range(0, count).filter(p -> direct[p] >= 0 || starting).toArray();
         int next = 0;
         for (int j = 0; j < samples; j++) {
-            motion.time = j * motion.step;
+            motion.time = j * motion.step + excitation.later(j);
             motion.before = displacement[Math.max(0, j - 1)];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];

@@ -11,6 +11,7 @@ import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.Leaps;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.signal.LostSamples;
@@ -47,6 +48,7 @@ public final class Excitation {
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
     private final boolean unit;
+    private final Leaps leaps;
     private final SolvedLines solved;
     private final boolean forced;
     /**
@@ -99,6 +101,7 @@ public final class Excitation {
         this.oversampling = oversampling;
         this.stroke = stroke;
         this.unit = false;
+        this.leaps = Leaps.NONE;
         this.solved = new SolvedLines();
         this.forced = forced;
         this.track = new double[base.length][0];
@@ -152,6 +155,11 @@ public final class Excitation {
      * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
      */
     public static Excitation of(Model model, Recording recording, int samples) {
+        return uniform(model, recording, samples).leaping(recording.leaps());
+    }
+
+    /** On a clock that never leaps. */
+    private static Excitation uniform(Model model, Recording recording, int samples) {
         double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
@@ -171,7 +179,11 @@ public final class Excitation {
         Excitation plain = new Excitation(rate, new double[moved.size()][samples], others,
                 filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
         return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new),
-                moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false);
+                moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false, Leaps.NONE);
+    }
+
+    private Excitation leaping(Leaps ahead) {
+        return ahead.all().isEmpty() ? this : new Excitation(this, base, track, others, recorded, unit, ahead);
     }
 
     /**
@@ -256,7 +268,7 @@ public final class Excitation {
     }
 
     private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded,
-            boolean unit) {
+            boolean unit, Leaps leaps) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;
@@ -271,6 +283,7 @@ public final class Excitation {
         this.recorded = recorded;
         this.track = track;
         this.unit = unit;
+        this.leaps = leaps;
         solved = like.solved;
         forced = like.forced;
     }
@@ -286,7 +299,7 @@ public final class Excitation {
         for (int k = 0; k < omega.length; k++) {
             ones[axis][2 * k] = 1;
         }
-        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true);
+        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true, leaps);
     }
 
     /** The measured motion of the base where links are driven by it. */
@@ -327,6 +340,11 @@ public final class Excitation {
     /** Time between the samples of the free run [s]. */
     public double fineStep() {
         return 1 / (rate * oversampling);
+    }
+
+    /** How much later a sample of the free run was taken than its number says [s], see {@link Recording#leaps}. */
+    double later(int fine) {
+        return leaps.later(fine / oversampling);
     }
 
     /** Samples of the free run. */

@@ -2,6 +2,7 @@ package wbv.body.simulate;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.LawAt;
@@ -65,6 +66,8 @@ public final class FreeRun {
     private double[][] velocity;
     /** Time of sample 0 [s]. */
     private double since;
+    /** How much later a sample is than its number says [s]. */
+    private IntToDoubleFunction later = sample -> 0;
     private final LinkMotion[] motions;
     private double[][] modulation;
     /** The same in short steps, by which one in which a force jumps is gone through. */
@@ -94,6 +97,16 @@ public final class FreeRun {
         boolean free = IntStream.range(0, structure.bodies()).anyMatch(body -> structure.unheld()[body]);
         return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS,
                 ModalBasis.of(structure.stateMatrix(structure.balance())));
+    }
+
+    /**
+     * The same where time leaps ahead.
+     *
+     * @param ahead how much later a sample is than its number says [s]
+     */
+    FreeRun leaping(IntToDoubleFunction ahead) {
+        later = ahead;
+        return this;
     }
 
     private FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation, int divisions,
@@ -191,7 +204,7 @@ public final class FreeRun {
         java.util.Arrays.fill(gradients, Double.NaN);
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
-            way.go(acceleration, bodyForce, modulation, j, 0);
+            way.go(acceleration, bodyForce, modulation, j, later.applyAsDouble(j + 1));
             if (leavesBounds() || j % OFTEN == 0 && !(linear.largest(way.y) < LIMIT)) {
                 diverged = j + 1;
             }

@@ -485,8 +485,9 @@ public final class Simulator {
         }
 
         private FreeRun freeRun(Sensitivities slopes, double[][] modulation) {
-            return excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
+            FreeRun run = excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
                     : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
+            return run.leaping(excitation::later);
         }
 
         /** Link and body forces of the drives as force series on the bodies, at the free run's rate. */

@@ -181,6 +181,6 @@ public sealed interface Convention {
     private static Recording with(Recording recording, Map<Channel, double[]> others) {
         Map<Channel, double[]> values = new LinkedHashMap<>();
         recording.channels().forEach(channel -> values.put(channel, others.getOrDefault(channel, recording.values(channel))));
-        return new Recording(recording.clock(), values, recording.metadata());
+        return recording.with(values);
     }
 }

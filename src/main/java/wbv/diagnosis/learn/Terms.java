@@ -59,8 +59,10 @@ final class Terms {
         this.link = link;
         this.where = evidence.model().links().get(link).name();
         Window window = evidence.fit();
-        seconds = (window.start() + window.length()) / evidence.recording().clock().rate();
-        int end = Math.min(motion.displacement(link).length, (int) (seconds / evidence.excitation().fineStep()));
+        int last = window.start() + window.length();
+        seconds = evidence.recording().elapsed(last);
+        double laid = last / evidence.recording().clock().rate();
+        int end = Math.min(motion.displacement(link).length, (int) (laid / evidence.excitation().fineStep()));
         r = Math.max(Motion.rms(motion.displacement(link), end), 1e-12);
         v = Math.max(Motion.rms(motion.velocity(link), end), 1e-12);
         pace = evidence.onRig() ? USUAL * r / v : 1;

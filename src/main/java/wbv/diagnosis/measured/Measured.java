@@ -11,7 +11,6 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.signal.LostSamples;
 
 /** A recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the sensors are. */
 public final class Measured {
@@ -117,8 +116,7 @@ public final class Measured {
 
     /** What is left of what is fitted. */
     private double[] left(MeasuredOutput output, double[] read) {
-        return LostSamples.filled(IntStream.range(0, split)
-                .mapToDouble(i -> output.valid()[i] ? output.series()[i] - read[i] : Double.NaN).toArray());
+        return IntStream.range(0, split).mapToDouble(i -> output.valid()[i] ? output.series()[i] - read[i] : Double.NaN).toArray();
     }
 
     /** The user's. */

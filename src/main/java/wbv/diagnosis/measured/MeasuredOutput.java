@@ -48,6 +48,15 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
         return new MeasuredOutput(channel, Measured.centred(LostSamples.filled(counted)), mean, valid, dropouts.found());
     }
 
+    /** The series by sample [unit of the channel], NaN where it does not count: a new array. */
+    double[] read() {
+        double[] out = series.clone();
+        for (int i = 0; i < out.length; i++) {
+            out[i] = valid[i] ? out[i] : Double.NaN;
+        }
+        return out;
+    }
+
     private static boolean[] present(double[] x) {
         boolean[] out = new boolean[x.length];
         for (int i = 0; i < x.length; i++) {

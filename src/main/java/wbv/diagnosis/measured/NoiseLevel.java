@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -33,6 +34,8 @@ public final class NoiseLevel {
      * powers.
      */
     private static final double HANN = 1.944;
+    /** Part of a block that may be lost [1]: what is bridged takes as much of the noise's power. */
+    private static final double BRIDGED = 0.02;
     /** Standard deviation of a median over that of a mean. */
     private static final double MEDIAN = 1.2533;
 
@@ -68,10 +71,10 @@ public final class NoiseLevel {
     /**
      * Standard deviation of a sample, if its noise is white.
      *
-     * @param x gaps are bridged. Not modified.
+     * @param x NaN where lost. Not modified.
      */
     double of(double[] x) {
-        return between(LostSamples.filled(x), LOW, HIGH, BLOCK);
+        return between(x, LostSamples.filled(x), LOW, HIGH, BLOCK);
     }
 
     /**
@@ -79,7 +82,7 @@ public final class NoiseLevel {
      * and no weaker than the rounding of the values. Bands that differ from the quietest by no more than chance
      * are one noise.
      *
-     * @param x by sample [unit of the channel]. Not modified.
+     * @param x by sample [unit of the channel], NaN where lost. Not modified.
      */
     public double bound(double[] x) {
         return Math.max(quietest(x), rounding(x) / Math.sqrt(12));
@@ -88,8 +91,8 @@ public final class NoiseLevel {
     /**
      * The same where a part of what was measured is known: what is left of it is noise and whatever else is not known.
      *
-     * @param x by sample [unit of the channel]. Not modified.
-     * @param left what is left of it, gaps bridged. Not modified.
+     * @param x by sample [unit of the channel], NaN where lost. Not modified.
+     * @param left what is left of it, likewise. Not modified.
      */
     double bound(double[] x, double[] left) {
         return Math.min(bound(x), Math.max(quietest(left), rounding(x) / Math.sqrt(12)));
@@ -98,9 +101,10 @@ public final class NoiseLevel {
     /** That of the quietest band and of all that are no louder than chance makes bands of one noise. */
     private static double quietest(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
+        double[] bridged = LostSamples.filled(x);
         List<Double> powers = new ArrayList<>();
         for (double low = BAND; low + BAND <= HIGH; low += BAND) {
-            powers.add(Math.pow(between(x, low, low + BAND, block), 2));
+            powers.add(Math.pow(between(x, bridged, low, low + BAND, block), 2));
         }
         int blocks = (x.length - block) / (block / 2) + 1;
         double lines = Math.max(1, BAND * block) / HANN;
@@ -116,13 +120,19 @@ public final class NoiseLevel {
         double largest = 0;
         for (int i = 1; i < x.length; i++) {
             double step = Math.abs(x[i] - x[i - 1]);
-            largest = Math.max(largest, Math.abs(x[i]));
+            largest = Double.isNaN(x[i]) ? largest : Math.max(largest, Math.abs(x[i]));
             least = step > 1e-12 * largest ? Math.min(least, step) : least;
         }
         return Double.isInfinite(least) ? 0 : least;
     }
 
-    private static double between(double[] x, double low, double high, int size) {
+    /**
+     * @param read NaN where lost: blocks in which that is much do not count where others do
+     * @param x the same bridged. Neither is modified.
+     */
+    private static double between(double[] read, double[] x, double low, double high, int size) {
+        boolean whole = IntStream.iterate(0, start -> start + size <= x.length, start -> start + size / 2)
+                .anyMatch(start -> isWhole(read, start, size));
         Fft fft = new Fft(size);
         double[] weights = new double[size];
         double power = 0;
@@ -132,6 +142,9 @@ public final class NoiseLevel {
         }
         List<Double> blocks = new ArrayList<>();
         for (int start = 0; start + size <= x.length; start += size / 2) {
+            if (whole && !isWhole(read, start, size)) {
+                continue;
+            }
             double[] block = Arrays.copyOfRange(x, start, start + size);
             double mean = Arrays.stream(block).average().orElse(0);
             for (int i = 0; i < size; i++) {
@@ -149,6 +162,11 @@ public final class NoiseLevel {
             }
         }
         return Math.sqrt(median(blocks.stream().mapToDouble(Double::doubleValue).toArray()));
+    }
+
+    /** Whether what bridges a block's gaps, which has no noise, makes little of it. */
+    private static boolean isWhole(double[] read, int start, int size) {
+        return Arrays.stream(read, start, start + size).filter(Double::isNaN).count() <= BRIDGED * size;
     }
 
     private static double median(double[] values) {

@@ -43,14 +43,14 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
      * @param split end of what is fitted, and looked at [samples]
      */
     Levels onRig(Excitation input, int split) {
-        return onRig(input, split, outputs.stream().map(MeasuredOutput::series).toArray(double[][]::new));
+        return onRig(input, split, outputs.stream().map(MeasuredOutput::read).toArray(double[][]::new));
     }
 
     /**
      * The same where a model is known that makes some of what was measured: where a rig is moved in all of the band, only what is left of
      * that shows how noisy the outputs are at most.
      *
-     * @param left what is left, by output, gaps bridged. Not modified.
+     * @param left what is left, by output, NaN where lost. Not modified.
      */
     Levels onRig(Excitation input, int split, double[][] left) {
         double[] all = IntStream.range(0, left.length)
@@ -60,7 +60,7 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
     }
 
     private static double floor(MeasuredOutput output, double[] left, Excitation input, int split) {
-        double quietest = new NoiseLevel().bound(output.series(), left);
+        double quietest = new NoiseLevel().bound(output.read(), left);
         return input.stroke().map(stroke -> Math.max(quietest, Repeatable.rest(stroke, output.series(), output.valid(), split)))
                 .orElse(quietest);
     }
@@ -70,7 +70,7 @@ record SensorNoise(Model model, Recording recording, List<MeasuredOutput> output
         return model.base().sensor().filter(base -> !model.driven() && !computed).map(base -> {
             double[] read = recording.values(base);
             boolean encoder = isOfOutputs(base) && Excitation.order(base.quantity()) > 0;
-            return Math.max(encoder ? new NoiseLevel().bound(LostSamples.filled(read)) : 0,
+            return Math.max(encoder ? new NoiseLevel().bound(read) : 0,
                     Rounding.coarse(read).map(Rounding::noise).orElse(0.0));
         }).orElse(0.0);
     }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import wbv.recording.Channel;
-import wbv.recording.Clock;
 import wbv.recording.Recording;
 import wbv.signal.BandlimitedResampler;
 import wbv.signal.LostSamples;
@@ -15,7 +14,8 @@ import wbv.signal.LostSamples;
  */
 public final class SitterRate {
 
-    private static final double USUAL = 60;
+    /** Samples a second of a sitter that are judged at most [Hz]. */
+    static final double USUAL = 60;
     /** What is hardly faster stays as it is. */
     private static final double FAST = 1.1;
     private static final int MOST = 64;
@@ -41,7 +41,7 @@ public final class SitterRate {
         for (Channel channel : recording.channels()) {
             slow.put(channel, slowed(recording.values(channel), new Dropouts(recording, channel).valid(), up, down));
         }
-        return new Recording(new Clock(recording.clock().start(), rate * up / down), slow, recording.metadata());
+        return recording.at(rate * up / down, slow);
     }
 
     private static int down(double rate, int up) {

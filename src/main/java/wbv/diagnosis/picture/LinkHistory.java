@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.learn.LinkScale;
+import wbv.recording.Recording;
 
 /** Stiffness and damping of a link by blocks of time: least squares of everything that it carries on deflection and velocity. */
 final class LinkHistory {
@@ -20,16 +21,18 @@ final class LinkHistory {
     private final String where;
     private final double stiffness;
     private final double damping;
+    private final Recording recording;
     private final double rate;
     private final LinkScale scale;
 
-    LinkHistory(LatentForce latent, String where, double stiffness, double damping, double rate, LinkScale scale) {
+    LinkHistory(LatentForce latent, String where, double stiffness, double damping, Recording recording, LinkScale scale) {
         this.scale = scale;
         this.latent = latent;
         this.where = where;
         this.stiffness = stiffness;
         this.damping = damping;
-        this.rate = rate;
+        this.recording = recording;
+        this.rate = recording.clock().rate();
     }
 
     /** @param law time, stiffness and damping that were found; empty where none were */
@@ -43,7 +46,7 @@ final class LinkHistory {
         double[][] value = new double[2][blocks];
         double[][] deviation = new double[2][blocks];
         for (int b = 0; b < blocks; b++) {
-            time[b] = (b + 0.5) * length / rate;
+            time[b] = recording.elapsed(Math.round((b + 0.5) * length));
             double[] fitted = fitted(r, v, force, b * length, length);
             value[0][b] = scale.stiff() * (stiffness + fitted[0]);
             value[1][b] = damping + fitted[1];

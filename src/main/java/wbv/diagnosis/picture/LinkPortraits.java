@@ -54,9 +54,9 @@ final class LinkPortraits {
             return dynamicStiffness();
         }
         LawShape shape = new LawShape(law, stiffness, damping, known(r), known(v), evidence.recording().clock(),
-                evidence.recording().length());
+                (int) (evidence.recording().elapsed(evidence.recording().length() - 1) * rate) + 1);
         if (shape.dependsOnTime()) {
-            return new LinkHistory(latent, where, stiffness, damping, rate, scale).portraits(shape.overTime());
+            return new LinkHistory(latent, where, stiffness, damping, evidence.recording(), scale).portraits(shape.overTime());
         }
         if (shape.dependsOnly(Side.DEFLECTION)) {
             double[][] curve = shape.curve(Side.DEFLECTION);
@@ -76,7 +76,7 @@ final class LinkPortraits {
     List<Portrait> unnamed() {
         List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, NO_CURVE),
                 over(Side.VELOCITY, force, 0, NO_CURVE)));
-        out.addAll(new LinkHistory(latent, where, stiffness, damping, rate, scale).portraits(NO_CURVE));
+        out.addAll(new LinkHistory(latent, where, stiffness, damping, evidence.recording(), scale).portraits(NO_CURVE));
         return out;
     }
 
@@ -85,7 +85,7 @@ final class LinkPortraits {
         double[] law = latent.lawInBand();
         int from = evidence.heldOut().start();
         int count = Clouds.shown(evidence);
-        double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
+        double[] time = IntStream.range(from, from + count).mapToDouble(evidence.recording()::elapsed).toArray();
         List<Portrait> out = new ArrayList<>();
         out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside, List.of(
                 Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count),

@@ -35,7 +35,7 @@ record GivenBeside(Model model, Recording recording) {
             Channel sensor = model.outputs().get(o);
             channels.put(beside(sensor), Measured.centred(Missed.of(given.apply(sensor), own[o])));
         }
-        return new GivenBeside(moved(model), new Recording(recording.clock(), channels, recording.metadata()));
+        return new GivenBeside(moved(model), recording.with(channels));
     }
 
     private static Model moved(Model model) {

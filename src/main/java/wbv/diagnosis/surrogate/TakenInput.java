@@ -55,6 +55,6 @@ record TakenInput(Recording driven, FittedChain plain, boolean held) {
     private Recording with(Channel input, double[] values) {
         Map<Channel, double[]> all = new LinkedHashMap<>();
         driven.channels().forEach(each -> all.put(each, each.equals(input) ? values : driven.values(each)));
-        return new Recording(driven.clock(), all, driven.metadata());
+        return driven.with(all);
     }
 }
