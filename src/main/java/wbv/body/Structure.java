@@ -141,8 +141,8 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /**
-     * How fast whatever it was doing dies down at least [1/s]: the slowest real part of its poles. 0 where something goes on as it was sent,
-     * infinite where nothing moves of its own accord.
+     * How fast whatever it was doing dies down at least [1/s]: the slowest real part of its poles. 0 where something goes on as it was
+     * sent, infinite where nothing moves of its own accord.
      */
     public double slowestDecay() {
         if (held) {

@@ -60,9 +60,9 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        return Excerpts.of(question.model(), question.recording(), question.provedFrom())
-                .map(pieces -> admitted(question.of(pieces), progress).saying(pieces.sentence()))
-                .orElseGet(() -> admitted(question, progress));
+        Optional<Excerpts> pieces = question.pieces();
+        Diagnosed found = admitted(pieces.map(question::of).orElse(question), progress);
+        return pieces.map(Excerpts::sentence).map(found::saying).orElse(found);
     }
 
     private static Diagnosed admitted(Question question, BiConsumer<String, Double> progress) {
@@ -87,10 +87,13 @@ public final class Diagnoser {
      * where there is more, which is not searched.
      */
     public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
-        Inquiry asked = Inquiry.of(asked(question, question.asked()), progress);
+        Optional<Excerpts> pieces = question.pieces();
+        Question judged = pieces.map(question::of).orElse(question);
+        Inquiry asked = Inquiry.of(asked(judged, judged.asked()), progress);
         Optional<Inquiry> quiet = asked.leaves(asked.base(), Priors.SILENT) ? Optional.of(asked) : asked.knowingWhoSitsStill();
         return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given())).map(knowing -> Conclusion.of(knowing, List.of()))
-                .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
+                .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING)
+                .map(found -> pieces.map(Excerpts::sentence).map(found::saying).orElse(found));
     }
 
     private static Evidence asked(Question question, Model model) {

@@ -49,7 +49,7 @@ final class Mismatch {
             out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(),
                     new double[] {window.frequency(at(byLine, 0.1)), window.frequency(at(byLine, 0.9))},
                     new double[] {evidence.recording().elapsed(window.start() + at(byTime, 0.1)),
-                            evidence.recording().elapsed(window.start() + at(byTime, 0.9))},
+                        evidence.recording().elapsed(window.start() + at(byTime, 0.9))},
                     power, power / (2 * byLine.length)));
         }
         double total = out.stream().mapToDouble(Diagnosis.Located::share).sum();

@@ -72,6 +72,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         return new Question(model, recording, simulation, noise, unitsKnown, time, library);
     }
 
+    /** What is judged of a long recording; empty of one that is judged whole. */
+    Optional<Excerpts> pieces() {
+        return Excerpts.of(model, recording, provedFrom);
+    }
+
     /** The same of pieces of the recording. */
     Question of(Excerpts pieces) {
         return new Question(model, pieces.recording(), simulation, noise, unitsKnown, pieces.provedFrom(), library);

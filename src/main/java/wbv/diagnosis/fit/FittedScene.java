@@ -63,7 +63,8 @@ public final class FittedScene {
                 IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
                 evidence.measured()::across, evidence.measured()::companions,
                 IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(),
-                lines, evidence.fit().spacing(), evidence.recording().clock().step(), evidence.recording().elapsed(evidence.fit().start() + evidence.fit().length()),
+                lines, evidence.fit().spacing(), evidence.recording().clock().step(),
+                evidence.recording().elapsed(evidence.fit().start() + evidence.fit().length()),
                 scene.schedules());
     }
 

@@ -55,8 +55,8 @@ public final class Measured {
         Admission.longEnough(model, this.recording);
         Admission.moving(model, recording);
         input = Excitation.of(model, this.recording, this.recording.length());
-        boolean[] driven = driven();
-        outputs = channels.stream().map(channel -> onRig() ? MeasuredOutput.onRig(recording, channel)
+        boolean[] driven = onRig() ? new Unseen(model, recording).driven() : driven();
+        outputs = channels.stream().map(channel -> onRig() ? MeasuredOutput.onRig(recording, channel, driven)
                 : MeasuredOutput.ofSitter(recording, this.recording, channel, driven)).toList();
         // Fewer samples hold less of a noise that is white.
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
@@ -66,7 +66,7 @@ public final class Measured {
         if (!onRig()) {
             model.base().sensor().filter(base -> base.quantity() == Quantity.ACCELERATION)
                     .ifPresent(base -> Admission.excited(this.recording.clock().rate(), base, input.series(input.baseSpectrum()),
-                            inputNoise(), outputs.stream().map(MeasuredOutput::series).toArray(double[][]::new)));
+                            computed ? 0 : inputNoise(), outputs.stream().map(MeasuredOutput::series).toArray(double[][]::new)));
         }
     }
 
@@ -87,12 +87,11 @@ public final class Measured {
 
     /** Where what moves a sitter is known. */
     private boolean[] driven() {
-        return model.base().sensor().filter(sensor -> !onRig())
-                .map(sensor -> new Dropouts(recording, sensor).driven(recording.clock().rate())).orElseGet(() -> {
-                    boolean[] all = new boolean[recording.length()];
-                    Arrays.fill(all, true);
-                    return all;
-                });
+        return model.base().sensor().map(sensor -> new Dropouts(recording, sensor).driven(recording.clock().rate())).orElseGet(() -> {
+            boolean[] all = new boolean[recording.length()];
+            Arrays.fill(all, true);
+            return all;
+        });
     }
 
     /** A stretch of it, as if no more had been recorded; what is known of the sensors stays known. */

@@ -22,10 +22,18 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
         }
     }
 
-    /** On a rig constants count, and rounded values of a slow stroke repeat without being lost. */
-    static MeasuredOutput onRig(Recording recording, Channel channel) {
+    /**
+     * On a rig constants count, and rounded values of a slow stroke repeat without being lost.
+     *
+     * @param driven samples in which it answers to its input. Not modified.
+     */
+    static MeasuredOutput onRig(Recording recording, Channel channel, boolean[] driven) {
         double[] raw = recording.values(channel);
-        return new MeasuredOutput(channel, LostSamples.filled(raw), 0, present(raw), 0);
+        boolean[] valid = present(raw);
+        for (int i = 0; i < valid.length; i++) {
+            valid[i] &= driven[i];
+        }
+        return new MeasuredOutput(channel, LostSamples.filled(raw), 0, valid, 0);
     }
 
     /**
