@@ -109,6 +109,11 @@ public final class Diagnosed {
         return new Diagnosed(other, fits, evidence, base, chosen);
     }
 
+    /** The same, with a sentence before its own where there is one. */
+    Diagnosed saying(Optional<String> first) {
+        return first.map(this::saying).orElse(this);
+    }
+
     /** The data held out beside what the last model makes of them: two simulations more. */
     public Predicted predicted() {
         return Predicted.of(diagnosis, evidence, chosen);

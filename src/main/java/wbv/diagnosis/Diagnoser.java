@@ -61,8 +61,7 @@ public final class Diagnoser {
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         Optional<Excerpts> pieces = question.pieces();
-        Diagnosed found = admitted(pieces.map(question::of).orElse(question), progress);
-        return pieces.map(Excerpts::sentence).map(found::saying).orElse(found);
+        return admitted(question.of(pieces), progress).saying(pieces.map(Excerpts::sentence));
     }
 
     private static Diagnosed admitted(Question question, BiConsumer<String, Double> progress) {
@@ -82,23 +81,19 @@ public final class Diagnoser {
                 });
     }
 
-    /**
-     * The diagnosis where nothing is missing of a model as it is given, but for what its sensors and a person who sits still do; empty
-     * where there is more, which is not searched.
-     */
+    /** The diagnosis where sensors and a person who sits still do all that a model as it is given leaves; else empty, and not searched. */
     public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
         Optional<Excerpts> pieces = question.pieces();
-        Question judged = pieces.map(question::of).orElse(question);
+        Question judged = question.of(pieces);
         Inquiry asked = Inquiry.of(asked(judged, judged.asked()), progress);
         Optional<Inquiry> quiet = asked.leaves(asked.base(), Priors.SILENT) ? Optional.of(asked) : asked.knowingWhoSitsStill();
         return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given())).map(knowing -> Conclusion.of(knowing, List.of()))
                 .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING)
-                .map(found -> pieces.map(Excerpts::sentence).map(found::saying).orElse(found));
+                .map(found -> found.saying(pieces.map(Excerpts::sentence)));
     }
 
     private static Evidence asked(Question question, Model model) {
-        Evidence evidence = new Evidence(model, question.recording(), question.noise(), question.provedFrom())
-                .with(question.library());
+        Evidence evidence = new Evidence(model, question.recording(), question.noise(), question.provedFrom()).with(question.library());
         if (!question.unitsKnown()) {
             AccelerationUnit.check(evidence.measured());
         }

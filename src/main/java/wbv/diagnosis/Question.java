@@ -77,9 +77,10 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         return Excerpts.of(model, recording, provedFrom);
     }
 
-    /** The same of pieces of the recording. */
-    Question of(Excerpts pieces) {
-        return new Question(model, pieces.recording(), simulation, noise, unitsKnown, pieces.provedFrom(), library);
+    /** The same of pieces of the recording, where there are any. */
+    Question of(Optional<Excerpts> pieces) {
+        return pieces.map(some -> new Question(model, some.recording(), simulation, noise, unitsKnown, some.provedFrom(), library))
+                .orElse(this);
     }
 
     /** The same of another recording. */

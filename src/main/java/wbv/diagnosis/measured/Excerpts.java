@@ -34,8 +34,8 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
     private static final int MOST = 12;
 
     /**
-     * Pieces of a recording; empty where it is no longer than they would be, or has to be judged in one, since something in it goes on as it
-     * was sent.
+     * Pieces of a recording; empty where it is no longer than they would be, or has to be judged in one, since something in it goes on as
+     * it was sent.
      *
      * @param provedFrom see {@link wbv.diagnosis.Question#provedFrom}
      */
