@@ -32,9 +32,18 @@ final class CarriedSlopes {
 
     private double[] state;
     private double[] free;
+    /** Laws of one motion, those of a link: what concerns that is kept by link, in the order of these. */
+    private final int[][] links;
+    /** By law: which of these it is among. */
+    private final int[] linkOf;
     private final double[][] displacement;
     private final double[][] rate;
     private final double[][] earlier;
+    /** Of the force of a link's laws in all. */
+    private final double[][] force;
+    /** What that changes the link's displacement and velocity by. */
+    private final double[] moved;
+    private final double[] passed;
     private final double[][] right;
     private final double[][] memory;
     /** Of what multiplies a law that goes by another link. */
@@ -61,6 +70,9 @@ final class CarriedSlopes {
         this.known = known;
         this.ofStructure = holds.length > 1;
         int m = laws.length;
+        links = run.together();
+        linkOf = IntStream.range(0, m).map(i -> IntStream.range(0, links.length)
+                .filter(g -> IntStream.of(links[g]).anyMatch(k -> k == i)).findFirst().orElseThrow()).toArray();
         this.linear = linear;
         ModalBasis basis = linear.basis;
         int inputs = inputs();
@@ -82,13 +94,16 @@ final class CarriedSlopes {
         }
         state = new double[states * count];
         free = new double[states * count];
-        displacement = new double[m][count];
-        rate = new double[m][count];
-        earlier = new double[m][count];
+        displacement = new double[links.length][count];
+        rate = new double[links.length][count];
+        earlier = new double[links.length][count];
+        force = new double[links.length][count];
+        moved = new double[count];
+        passed = new double[count];
         right = new double[m][count];
         memory = new double[m][count];
         modulation = new double[m][count];
-        matrix = new double[m][m];
+        matrix = new double[links.length][links.length];
         boolean late = IntStream.range(0, m).anyMatch(i -> laws[i].late());
         displacementPast = new double[m][count][late ? samples : 0];
         velocityPast = new double[m][count][late ? samples : 0];
@@ -102,8 +117,11 @@ final class CarriedSlopes {
                 addRow(state, i * count, other.right[l], other.linear.own[l][i] - linear.own[l][i]);
             }
             System.arraycopy(other.right[l], 0, right[l], 0, count);
-            System.arraycopy(other.displacement[l], 0, displacement[l], 0, count);
             System.arraycopy(other.memory[l], 0, memory[l], 0, count);
+        }
+        for (int g = 0; g < links.length; g++) {
+            System.arraycopy(other.force[g], 0, force[g], 0, count);
+            System.arraycopy(other.displacement[g], 0, displacement[g], 0, count);
         }
     }
 
@@ -118,15 +136,15 @@ final class CarriedSlopes {
         return right[i][p];
     }
 
-    /** Inputs that may act: the base along each axis, each law's link, and the bodies where forces on them are known. */
+    /** Inputs that may act: the base along each axis, each link that has laws, and the bodies where forces on them are known. */
     private int inputs() {
-        return structure.axes() + laws.length + (known ? structure.bodies() : 0);
+        return structure.axes() + links.length + (known ? structure.bodies() : 0);
     }
 
     /** Column of the step's input matrices for one of the {@link #inputs}. */
     private int input(int u) {
-        int law = u - structure.axes();
-        return law < 0 ? u : law < laws.length ? structure.linkInput(laws[law].link) : structure.bodyInput(law - laws.length);
+        int g = u - structure.axes();
+        return g < 0 ? u : g < links.length ? structure.linkInput(laws[links[g][0]].link) : structure.bodyInput(g - links.length);
     }
 
     /**
@@ -138,10 +156,11 @@ final class CarriedSlopes {
      * @param j   sample before the step
      */
     void step(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
-        int m = laws.length;
-        for (int i = 0; i < m; i++) {
+        for (int i = 0; i < laws.length; i++) {
             laws[i].take(run.motion(i), past, i, j + 1);
-            System.arraycopy(displacement[i], 0, earlier[i], 0, count);
+        }
+        for (int g = 0; g < links.length; g++) {
+            System.arraycopy(displacement[g], 0, earlier[g], 0, count);
         }
         advance();
         if (ofStructure) {
@@ -157,26 +176,27 @@ final class CarriedSlopes {
                 }
             }
         }
-        for (int i = 0; i < m; i++) {
-            read(i);
-            if (run.followed(i).follows()) {
-                follow(run.followed(i), modulation[i]);
+        for (int g = 0; g < links.length; g++) {
+            read(g);
+            java.util.Arrays.fill(force[g], 0);
+            for (int i : links[g]) {
+                if (run.followed(i).follows()) {
+                    follow(run.followed(i), modulation[i]);
+                }
+                rightSide(i, j);
+                add(force[g], right[i], 1);
             }
-            rightSide(i, j);
         }
         eliminate();
-        for (int i = 0; i < m; i++) {
-            for (int k = 0; k < m; k++) {
-                add(displacement[i], right[k], linear.give[i][k]);
-                add(rate[i], right[k], linear.giveVelocity[i][k]);
-                if (run.followed(i).follows()) {
-                    add(modulation[i], right[k], run.followed(i).slope() * run.followed(i).give[k]);
+        for (int g = 0; g < links.length; g++) {
+            moves(g);
+            for (int i : links[g]) {
+                answer(i, g);
+                for (int p = 0; p < count; p++) {
+                    slope[i][p][j + 1] = right[i][p];
                 }
+                remember(i, j);
             }
-            for (int p = 0; p < count; p++) {
-                slope[i][p][j + 1] = right[i][p];
-            }
-            remember(i, j);
         }
         double[] kept = state;
         state = free;
@@ -194,16 +214,16 @@ final class CarriedSlopes {
             int other = filled[paired ? 1 : 0] * count;
             double a = entry[0];
             double b = paired ? entry[1] : 0;
-            double c = linear.push[0][i];
-            double[] first = right[0];
+            double c = linear.push[links[0][0]][i];
+            double[] first = force[0];
             for (int p = 0; p < count; p++) {
                 free[to + p] = a * state[one + p] + b * state[other + p] + c * first[p];
             }
             for (int e = 2; e < entry.length; e++) {
                 addRow(to, state, filled[e] * count, entry[e]);
             }
-            for (int law = 1; law < laws.length; law++) {
-                addRow(to, right[law], 0, linear.push[law][i]);
+            for (int g = 1; g < links.length; g++) {
+                addRow(to, force[g], 0, linear.push[links[g][0]][i]);
             }
         }
     }
@@ -223,11 +243,13 @@ final class CarriedSlopes {
             source[states + axis] = acceleration[axis][j];
             source[states + inputs + axis] = acceleration[axis][j + 1];
         }
-        System.arraycopy(last, 0, source, states + axes, laws.length);
-        System.arraycopy(now, 0, source, states + inputs + axes, laws.length);
+        for (int g = 0; g < links.length; g++) {
+            source[states + axes + g] = FreeRun.sum(links[g], last);
+            source[states + inputs + axes + g] = FreeRun.sum(links[g], now);
+        }
         for (int b = 0; b < bodyForce.length; b++) {
-            source[states + axes + laws.length + b] = bodyForce[b][j];
-            source[states + inputs + axes + laws.length + b] = bodyForce[b][j + 1];
+            source[states + axes + links.length + b] = bodyForce[b][j];
+            source[states + inputs + axes + links.length + b] = bodyForce[b][j + 1];
         }
         int s = 0;
         for (; s + 3 < source.length; s += 4) {
@@ -253,15 +275,16 @@ final class CarriedSlopes {
         }
     }
 
-    /** Motion of law i's link by the state. */
-    private void read(int i) {
-        double[] r = displacement[i];
-        double[] v = rate[i];
+    /** Motion of a link by the state. */
+    private void read(int g) {
+        int first = links[g][0];
+        double[] r = displacement[g];
+        double[] v = rate[g];
         java.util.Arrays.fill(r, 0);
         java.util.Arrays.fill(v, 0);
         for (int k = 0; k < states; k++) {
-            double a = linear.stretch[i][k];
-            double b = linear.rate[i][k];
+            double a = linear.stretch[first][k];
+            double b = linear.rate[first][k];
             int at = k * count;
             for (int p = 0; p < count; p++) {
                 double value = free[at + p];
@@ -305,8 +328,9 @@ final class CarriedSlopes {
         double v = f[LawSlopes.VELOCITY_NOW];
         double b = f[LawSlopes.DISPLACEMENT_BEFORE];
         double z = f[LawSlopes.MEMORY_BEFORE];
+        int g = linkOf[i];
         for (int p = 0; p < count; p++) {
-            right[i][p] = r * displacement[i][p] + v * rate[i][p] + b * earlier[i][p] + z * memory[i][p];
+            right[i][p] = r * displacement[g][p] + v * rate[g][p] + b * earlier[g][p] + z * memory[i][p];
         }
         direct(right[i], f, i);
         if (run.followed(i).follows()) {
@@ -317,6 +341,34 @@ final class CarriedSlopes {
                 right[i][p] += f[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
                         + f[LawSlopes.LATE_VELOCITY] * run.past(velocityPast[i][p], i, j + 1);
             }
+        }
+    }
+
+    /** What the forces of all links change a link's motion by. */
+    private void moves(int g) {
+        int first = links[g][0];
+        java.util.Arrays.fill(moved, 0);
+        java.util.Arrays.fill(passed, 0);
+        for (int h = 0; h < links.length; h++) {
+            add(moved, force[h], linear.give[first][links[h][0]]);
+            add(passed, force[h], linear.giveVelocity[first][links[h][0]]);
+        }
+        add(displacement[g], moved, 1);
+        add(rate[g], passed, 1);
+    }
+
+    /** Brings the derivative of law i's force to the motion that it has with all forces. */
+    private void answer(int i, int g) {
+        if (run.followed(i).follows()) {
+            for (int h = 0; h < links.length; h++) {
+                add(modulation[i], force[h], run.followed(i).slope() * run.followed(i).give[links[h][0]]);
+            }
+        }
+        if (links[g].length == 1) {
+            System.arraycopy(force[g], 0, right[i], 0, count);
+        } else {
+            add(right[i], moved, laws[i].force[LawSlopes.DISPLACEMENT_NOW]);
+            add(right[i], passed, laws[i].force[LawSlopes.VELOCITY_NOW]);
         }
     }
 
@@ -334,9 +386,10 @@ final class CarriedSlopes {
     private void remember(int i, int j) {
         double[] z = laws[i].memory;
         double[] kept = memory[i];
+        int g = linkOf[i];
         for (int p = 0; p < count; p++) {
-            kept[p] = z[LawSlopes.DISPLACEMENT_NOW] * displacement[i][p] + z[LawSlopes.VELOCITY_NOW] * rate[i][p]
-                    + z[LawSlopes.DISPLACEMENT_BEFORE] * earlier[i][p] + z[LawSlopes.MEMORY_BEFORE] * kept[p];
+            kept[p] = z[LawSlopes.DISPLACEMENT_NOW] * displacement[g][p] + z[LawSlopes.VELOCITY_NOW] * rate[g][p]
+                    + z[LawSlopes.DISPLACEMENT_BEFORE] * earlier[g][p] + z[LawSlopes.MEMORY_BEFORE] * kept[p];
         }
         direct(kept, z, i);
         if (run.followed(i).follows()) {
@@ -346,21 +399,25 @@ final class CarriedSlopes {
             for (int p = 0; p < count; p++) {
                 kept[p] += z[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
                         + z[LawSlopes.LATE_VELOCITY] * run.past(velocityPast[i][p], i, j + 1);
-                displacementPast[i][p][j + 1] = displacement[i][p];
-                velocityPast[i][p][j + 1] = rate[i][p];
+                displacementPast[i][p][j + 1] = displacement[g][p];
+                velocityPast[i][p][j + 1] = rate[g][p];
             }
         }
     }
 
-    /** Solves the few coupled laws for all parameters at once: right becomes the force slopes. */
+    /** Solves the few coupled links for all parameters at once: force becomes the derivative of what each link's laws carry. */
     private void eliminate() {
-        int m = laws.length;
-        for (int i = 0; i < m; i++) {
-            for (int k = 0; k < m; k++) {
-                matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * linear.give[i][k]
-                        - laws[i].force[LawSlopes.VELOCITY_NOW] * linear.giveVelocity[i][k];
-                if (run.followed(i).follows()) {
-                    matrix[i][k] -= laws[i].force[LawSlopes.MODULATION] * run.followed(i).slope() * run.followed(i).give[k];
+        int m = links.length;
+        for (int g = 0; g < m; g++) {
+            for (int h = 0; h < m; h++) {
+                matrix[g][h] = g == h ? 1 : 0;
+                for (int i : links[g]) {
+                    int k = links[h][0];
+                    matrix[g][h] -= laws[i].force[LawSlopes.DISPLACEMENT_NOW] * linear.give[i][k]
+                            + laws[i].force[LawSlopes.VELOCITY_NOW] * linear.giveVelocity[i][k];
+                    if (run.followed(i).follows()) {
+                        matrix[g][h] -= laws[i].force[LawSlopes.MODULATION] * run.followed(i).slope() * run.followed(i).give[k];
+                    }
                 }
             }
         }
@@ -370,16 +427,16 @@ final class CarriedSlopes {
                 for (int k = c; k < m; k++) {
                     matrix[i][k] -= q * matrix[c][k];
                 }
-                add(right[i], right[c], -q);
+                add(force[i], force[c], -q);
             }
         }
         for (int i = m - 1; i >= 0; i--) {
             for (int k = i + 1; k < m; k++) {
-                add(right[i], right[k], -matrix[i][k]);
+                add(force[i], force[k], -matrix[i][k]);
             }
             double pivot = 1 / matrix[i][i];
             for (int p = 0; p < count; p++) {
-                right[i][p] *= pivot;
+                force[i][p] *= pivot;
             }
         }
     }

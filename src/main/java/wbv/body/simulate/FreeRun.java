@@ -54,13 +54,15 @@ public final class FreeRun {
     /** What makes displacements of a size with velocities, see {@link Structure#balance} [rad/s]. */
     private final double omega;
     private final ExactHold[] slopes;
-    /** Displacement and velocity of each law's link at the end of the step but for the laws' forces then. */
+    /** Displacement and velocity of a link at the end of the step but for the laws' forces then, by the first of its laws. */
     private final double[] reached;
     private final double[] passing;
     /** By law, how its balance changed with its force when it was found last; NaN before. */
     private final double[] gradients;
     /** By law: the other link by which it goes. */
     private final FollowedLink[] followed;
+    /** Laws that have one motion, those of one link: they are found together. One that goes by another link is alone. */
+    private final int[][] together;
 
     private double[][] displacement;
     private double[][] velocity;
@@ -139,6 +141,8 @@ public final class FreeRun {
         int[] links = laws.stream().mapToInt(LawAt::link).toArray();
         linear = new ModalStep(structure, basis, slopes[0], links);
         followed = laws.stream().map(at -> FollowedLink.of(at.law().modulator(), structure, linear, links)).toArray(FollowedLink[]::new);
+        together = IntStream.range(0, m).filter(i -> first(i, links) == i)
+                .mapToObj(i -> IntStream.range(i, m).filter(k -> first(k, links) == i).toArray()).toArray(int[][]::new);
         reached = new double[m];
         passing = new double[m];
         gradients = new double[m];
@@ -149,6 +153,12 @@ public final class FreeRun {
             motions[i].damping = structure.damping()[this.laws[i].link];
             motions[i].step = step;
         }
+    }
+
+    /** The first law that a law is found together with. */
+    private int first(int law, int[] links) {
+        return followed[law].follows() ? law
+                : IntStream.rangeClosed(0, law).filter(i -> links[i] == links[law] && !followed[i].follows()).findFirst().orElseThrow();
     }
 
     /**
@@ -429,27 +439,30 @@ public final class FreeRun {
         }
     }
 
-    /** Solves every law at the end of the step, one after the other until nothing moves; leaves every law's motion there. */
+    /** Solves the laws of every link at the end of the step, link after link until nothing moves; leaves every law's motion there. */
     private void solve(double[] y, double[] now, double[] memory, int j) {
-        int m = laws.length;
-        for (int i = 0; i < m; i++) {
-            reached[i] = ModalStep.dot(linear.stretch[i], y);
-            passing[i] = ModalStep.dot(linear.rate[i], y);
-            begin(motions[i], i, memory[i], j);
+        for (int[] link : together) {
+            reached[link[0]] = ModalStep.dot(linear.stretch[link[0]], y);
+            passing[link[0]] = ModalStep.dot(linear.rate[link[0]], y);
+            for (int i : link) {
+                begin(motions[i], i, memory[i], j);
+            }
         }
+        boolean several = together.length > 1;
         boolean settled = false;
-        for (int sweep = 0; sweep < (m == 1 ? 1 : SWEEPS) && !settled; sweep++) {
+        for (int sweep = 0; sweep < (several ? SWEEPS : 1) && !settled; sweep++) {
             double moved = 0;
-            for (int i = 0; i < m; i++) {
-                double kept = now[i];
-                place(i, now, y);
-                now[i] = root(i, kept, followed[i].follows() ? followed[i].whole(y, now) : 0);
-                moved = Math.max(moved, Math.abs(now[i] - kept) / (1 + Math.abs(now[i])));
+            for (int[] link : together) {
+                double kept = sum(link, now);
+                place(link, now, y);
+                FollowedLink other = followed[link[0]];
+                double found = root(link, now, kept, other.follows() ? other.whole(y, now) : 0);
+                moved = Math.max(moved, Math.abs(found - kept) / (1 + Math.abs(found)));
             }
             settled = moved < TOLERANCE;
         }
-        for (int i = 0; i < m && m > 1; i++) {
-            place(i, now, y);
+        for (int[] link : several ? together : new int[0][]) {
+            place(link, now, y);
         }
         for (FollowedLink link : followed) {
             if (link.follows()) {
@@ -458,22 +471,33 @@ public final class FreeRun {
         }
     }
 
+    /** Of the forces of some laws [N]. */
+    static double sum(int[] link, double[] now) {
+        double sum = 0;
+        for (int i : link) {
+            sum += now[i];
+        }
+        return sum;
+    }
+
     /**
-     * f = φ(r + g (f - f0), v + h (f - f0)) by secants from where it was found last, now and then a Newton step, kept within a bracket.
-     * What another link does moves with f as well.
+     * f = φ(r + g (f - f0), v + h (f - f0)), φ the sum of a link's laws, by secants from where it was found last, now and then a Newton
+     * step, kept within a bracket. What another link does moves with f as well.
      *
+     * @param now   force of each law. Modified: those of the link are what was found.
+     * @param start of the link's in all
      * @param whole what it goes by, with the forces so far
      */
-    private double root(int i, double start, double whole) {
+    private double root(int[] link, double[] now, double start, double whole) {
+        int i = link[0];
         LinkMotion motion = motions[i];
-        Law law = laws[i].law;
         double r = motion.displacement - linear.give[i][i] * start;
         double v = motion.velocity - linear.giveVelocity[i][i] * start;
         double w = followed[i].follows() ? whole - followed[i].give[i] * start : 0;
         double f = start;
         double low = Double.NEGATIVE_INFINITY;
         double high = Double.POSITIVE_INFINITY;
-        double excess = f - law.force(motion);
+        double excess = f - force(link);
         double gradient = gradients[i];
         for (int k = 0; k < ITERATIONS && !(Math.abs(excess) <= TOLERANCE * (1 + Math.abs(f))); k++) {
             if (excess > 0) {
@@ -483,16 +507,16 @@ public final class FreeRun {
             }
             if (k > 0 && k % FRESH == 0 || Double.isNaN(gradient)) {
                 double h = 1e-6 * (1 + Math.abs(f));
-                move(i, r, v, w, f + h);
-                gradient = (f + h - law.force(motion) - excess) / h;
+                move(link, r, v, w, f + h);
+                gradient = (f + h - force(link) - excess) / h;
             }
             double next = gradient > LEAST_GRADIENT ? f - excess / gradient : f - excess;
             boolean bracketed = low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
             if (bracketed && !(next > low && next < high)) {
                 next = (low + high) / 2;
             }
-            move(i, r, v, w, next);
-            double there = next - law.force(motion);
+            move(link, r, v, w, next);
+            double there = next - force(link);
             gradient = next == f ? gradient : (there - excess) / (next - f);
             f = next;
             excess = there;
@@ -500,24 +524,42 @@ public final class FreeRun {
         gradients[i] = gradient;
         // What little is left goes by the slope, which costs no look at the law: over thousands of steps a memory would gather it.
         f -= gradient > LEAST_GRADIENT ? excess / gradient : 0;
-        move(i, r, v, w, f);
+        move(link, r, v, w, f);
+        now[i] = f;
+        for (int k = 1; k < link.length; k++) {
+            now[link[k]] = laws[link[k]].law.force(motions[link[k]]);
+            now[i] -= now[link[k]];
+        }
         return f;
     }
 
+    /** Force of a link's laws in its motion [N]. */
+    private double force(int[] link) {
+        double sum = 0;
+        for (int i : link) {
+            sum += laws[i].law.force(motions[i]);
+        }
+        return sum;
+    }
+
     /**
-     * A law's motion where it has a force, and what another link does then.
+     * The motion of a link whose laws have a force, and what another link does then.
      *
      * @param r displacement without the force [m]
      * @param v velocity without it [m/s]
      * @param w what the law goes by without it
      */
-    private void move(int i, double r, double v, double w, double force) {
-        LinkMotion motion = motions[i];
-        FollowedLink other = followed[i];
-        motion.displacement = r + linear.give[i][i] * force;
-        motion.velocity = v + linear.giveVelocity[i][i] * force;
+    private void move(int[] link, double r, double v, double w, double force) {
+        int first = link[0];
+        double displacement = r + linear.give[first][first] * force;
+        double velocity = v + linear.giveVelocity[first][first] * force;
+        for (int i : link) {
+            motions[i].displacement = displacement;
+            motions[i].velocity = velocity;
+        }
+        FollowedLink other = followed[first];
         if (other.follows()) {
-            motion.modulation = other.value(w + other.give[i] * force);
+            motions[first].modulation = other.value(w + other.give[first] * force);
         }
     }
 
@@ -532,18 +574,21 @@ public final class FreeRun {
         }
     }
 
-    /** The motion of a law's link at the end of the step, given all law forces. */
-    private void place(int i, double[] now, double[] y) {
-        double r = reached[i];
-        double v = passing[i];
+    /** The motion of a link at the end of the step, given all law forces. */
+    private void place(int[] link, double[] now, double[] y) {
+        int first = link[0];
+        double r = reached[first];
+        double v = passing[first];
         for (int k = 0; k < now.length; k++) {
-            r += linear.give[i][k] * now[k];
-            v += linear.giveVelocity[i][k] * now[k];
+            r += linear.give[first][k] * now[k];
+            v += linear.giveVelocity[first][k] * now[k];
         }
-        motions[i].displacement = r;
-        motions[i].velocity = v;
-        if (followed[i].follows()) {
-            motions[i].modulation = followed[i].value(followed[i].whole(y, now));
+        for (int i : link) {
+            motions[i].displacement = r;
+            motions[i].velocity = v;
+        }
+        if (followed[first].follows()) {
+            motions[first].modulation = followed[first].value(followed[first].whole(y, now));
         }
     }
 
@@ -560,6 +605,11 @@ public final class FreeRun {
     /** Not a copy. */
     LawSlopes[] laws() {
         return laws;
+    }
+
+    /** Laws that are found together, see there. Not a copy. */
+    int[][] together() {
+        return together;
     }
 
     /** The link by which law i goes, as it was at the end of the last step. */

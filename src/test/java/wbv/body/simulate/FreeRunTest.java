@@ -161,6 +161,53 @@ class FreeRunTest {
         return new FreeRun(CHAIN.with(linear), List.of(new LawAt(1, shifted)), step, false).run(base, new double[0][], false).force()[0];
     }
 
+    /** Laws of one link are found together; with one in another link, and one that goes by another link, they still answer each other. */
+    @org.junit.jupiter.api.Test
+    void lawsThatShareALinkAnswerEachOther() {
+        List<LawAt> laws = List.of(new LawAt(1, new Slider(0.1, 2e-4)), new LawAt(0, new CubicSpring(4e9)), new LawAt(1, new Slider(0.1, 5e-4)),
+                new LawAt(1, new QuadraticDamping(2000)), new LawAt(1,
+                        new LearnedTerm(Shape.DEFLECTION, new Modulator.OtherLink(Modulator.Of.DEFLECTION, 2), 3e7)),
+                new LawAt(2, new MaxwellArm(9000, 0.03)));
+        double step = 1 / 240.0;
+        double[] base = excitation(720);
+        FreeRun run = new FreeRun(CHAIN, laws, step, true);
+        FreeRun.Run whole = run.run(base, new double[0][], true);
+        int p = CHAIN.parameters();
+        for (int of = 0; of < laws.size(); of++) {
+            for (int own = 0; own < Numbers.values((Record) laws.get(of).law()).length; own++, p++) {
+                double h = 1e-5 * Numbers.values((Record) laws.get(of).law())[own];
+                double[][] high = new FreeRun(CHAIN, with(laws, of, own, h), step, false).run(base, new double[0][], false).force();
+                double[][] low = new FreeRun(CHAIN, with(laws, of, own, -h), step, false).run(base, new double[0][], false).force();
+                for (int i = 0; i < laws.size(); i++) {
+                    double error = 0;
+                    double size = 0;
+                    for (int j = 0; j < base.length; j++) {
+                        double slope = (high[i][j] - low[i][j]) / (2 * h);
+                        error += Math.pow(slope - whole.slope()[i][p][j], 2);
+                        size += slope * slope;
+                    }
+                    assertTrue(error <= 1e-4 * size, "force " + i + ", number " + p + ": " + Math.sqrt(error / size));
+                }
+            }
+        }
+        // Two halves of a law are the law.
+        double[][] halves = new FreeRun(CHAIN, List.of(new LawAt(1, new QuadraticDamping(4000)), new LawAt(1, new QuadraticDamping(4000))),
+                step, false).run(base, new double[0][], false).force();
+        double[] one = new FreeRun(CHAIN, List.of(new LawAt(1, new QuadraticDamping(8000))), step, false)
+                .run(base, new double[0][], false).force()[0];
+        for (int j = 0; j < base.length; j++) {
+            assertEquals(one[j], halves[0][j] + halves[1][j], 1e-7);
+        }
+    }
+
+    private static List<LawAt> with(List<LawAt> laws, int law, int own, double h) {
+        List<LawAt> out = new java.util.ArrayList<>(laws);
+        double[] numbers = Numbers.values((Record) laws.get(law).law());
+        numbers[own] += h;
+        out.set(law, new LawAt(laws.get(law).link(), (Law) Numbers.with((Record) laws.get(law).law(), numbers)));
+        return out;
+    }
+
     private static double[] excitation(int n) {
         double[] a = new double[n];
         Random random = new Random(5);
