@@ -47,8 +47,8 @@ final class Learning {
      */
     static Diagnosed completed(Diagnosed found, BiConsumer<String, Double> progress) {
         // A white noise of the input passes for whatever a form that is not quite right leaves: the form is asked first.
-        Evidence evidence = found.fits.evidence().with(Map.of());
         boolean heard = !found.fits.evidence().heard().isEmpty();
+        Evidence evidence = heard ? found.fits.evidence().with(Map.of()) : found.fits.evidence();
         boolean open = isRefused(found) || found.fits.best().candidate().added().stream().anyMatch(Hypothesis::isLaw);
         return new Learning(evidence, progress).completed(found, heard && open ? found.fits.seen(evidence) : found.fits);
     }

@@ -67,7 +67,10 @@ public final class LawLearner {
      */
     public List<Sentence> sentences(Fitter.State than) {
         List<Sentence> all = new ArrayList<>();
-        for (int link : links()) {
+        // A law has to leave half of what a name does, or, of fewer parts than are named, about as much.
+        int parts = than.candidate().added().size();
+        double share = parts > 1 ? Effort.ALIKE : Priors.MAJORITY;
+        for (int link : links().stream().filter(each -> parts == 0 || mayLeave(each, share, than)).toList()) {
             all.addAll(sentences(link, correction ? Effort.SECONDS : Effort.TERMS, than));
         }
         // What was found from two grounds is one sentence.
@@ -170,7 +173,7 @@ public final class LawLearner {
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     public boolean isOne(Fitter.State name) {
         List<Sentence> all = new ArrayList<>();
-        for (int link : links().stream().filter(each -> mayBeOne(each, name)).toList()) {
+        for (int link : links().stream().filter(each -> mayLeave(each, Priors.MAJORITY, name)).toList()) {
             List<Sentence> single = openings.of(link, unbent(link), name).sentences().stream()
                     .filter(sentence -> sentence.terms().size() == 1).toList();
             all.addAll(single);
@@ -180,14 +183,15 @@ public final class LawLearner {
     }
 
     /**
-     * Whether whatever force in a link leaves little enough: no law there leaves less. Where a force is ignored, one residual in each
-     * sample goes with it, which a law may have left empty.
+     * Whether whatever force in a link leaves less than some share of what a name leaves beyond noise: no law there leaves less. Where a
+     * force is ignored, one residual in each sample goes with it, which a law may have left empty.
      */
-    private boolean mayBeOne(int link, Fitter.State name) {
+    private boolean mayLeave(int link, double share, Fitter.State name) {
         double shown = 1 - 1.0 / evidence.outputs().size();
+        double floor = evidence.floor();
         Place place = new Place(Place.Kind.LINK, link);
         return places.stream().filter(found -> found.places().get(0).equals(place))
-                .allMatch(found -> shown * found.reduced() - 1 < Priors.MAJORITY * (name.reduced() - 1));
+                .allMatch(found -> shown * found.reduced() - floor < share * (name.reduced() - floor));
     }
 
     /**

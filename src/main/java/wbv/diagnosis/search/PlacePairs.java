@@ -42,7 +42,7 @@ final class PlacePairs {
      * @param leaders single hypotheses fitted with nothing ignored
      */
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
-        double good = Locator.reach(places, Effort.BEHIND);
+        double good = reach(places, base);
         List<Known.Ignoring> near = near(places, base);
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
