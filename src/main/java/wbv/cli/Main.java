@@ -77,8 +77,9 @@ public final class Main implements Runnable {
         try {
             return line.execute(arguments);
         } catch (OutOfMemoryError full) {
-            line.getErr().println("wbv: " + Runtime.getRuntime().maxMemory() / (1 << 20)
-                    + " MiB of memory are too little for this; give Java more, as in WBV_JAVA_OPTS=-Xmx1g");
+            long had = Runtime.getRuntime().maxMemory() >> 20;
+            line.getErr().println("wbv: " + had + " MiB of memory are too little for this; give Java more, as in WBV_JAVA_OPTS=-Xmx"
+                    + Math.max(1, (2 * had + 1023) >> 10) + "g");
             return WBV_AT_FAULT;
         }
     }

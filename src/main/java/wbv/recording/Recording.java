@@ -73,6 +73,11 @@ public final class Recording {
         return time(sample) - clock.start();
     }
 
+    /** First sample after one at which the time leaps ahead; the recording's end where it does not. */
+    public int unbroken(int from) {
+        return leaps.all().stream().mapToInt(Leaps.Leap::sample).filter(sample -> sample > from).findFirst().orElse(length);
+    }
+
     /** Other values on the same clock. {@code others} is treated as in the constructor. */
     public Recording with(Map<Channel, double[]> others) {
         return new Recording(clock, others, metadata, leaps);

@@ -48,7 +48,7 @@ final class BodyPortraits {
                 "Amplitude of a steady tone at each frequency, from the whole record (" + spacing + ")."));
         int from = evidence.heldOut().start();
         int count = Clouds.shown(evidence);
-        double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
+        double[] time = IntStream.range(from, from + count).mapToDouble(evidence.recording()::elapsed).toArray();
         List<Portrait.Trail> histories = new ArrayList<>();
         histories.add(Portrait.Trail.measured("force that the recording asks for", time,
                 Arrays.copyOfRange(force, from, from + count), new double[0]));

@@ -50,12 +50,12 @@ final class OutputCharts {
     private Pictures.Traces traces(int o) {
         Window held = evidence.heldOut();
         int from = held.start();
-        int to = from + held.length();
+        int to = Math.min(from + held.length(), evidence.recording().unbroken(from));
         double[] measured = Arrays.copyOfRange(evidence.measured(o), from, to);
         for (int i = from; i < to; i++) {
             measured[i - from] = evidence.valid(o)[i] ? measured[i - from] : Double.NaN;
         }
-        return new Pictures.Traces(from / rate, 1 / rate, measured, Arrays.copyOfRange(before[o], from, to),
+        return new Pictures.Traces(evidence.recording().elapsed(from), 1 / rate, measured, Arrays.copyOfRange(before[o], from, to),
                 Arrays.copyOfRange(after[o], from, to));
     }
 
@@ -79,7 +79,7 @@ final class OutputCharts {
         int count = (int) Math.floor(highest * length / rate) - first + 1;
         int hop = length / 2;
         int columns = (evidence.recording().length() - length) / hop + 1;
-        double[] time = IntStream.range(0, columns).mapToDouble(c -> (c * hop + length / 2.0) / rate).toArray();
+        double[] time = IntStream.range(0, columns).mapToDouble(c -> evidence.recording().elapsed(c * hop + length / 2)).toArray();
         double[] frequency = IntStream.range(0, count).mapToDouble(k -> (first + k) * rate / length).toArray();
         double[] omega = evidence.whole().omega();
         double[] level = Arrays.stream(frequency)
