@@ -26,6 +26,11 @@ record DryFriction() implements Mechanism {
     private static final String BRISTLES = "bristles";
 
     @Override
+    public Together together() {
+        return Together.LOOP;
+    }
+
+    @Override
     public Entry entry() {
         return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
     }

@@ -118,6 +118,11 @@ public record Hysteresis() implements Mechanism {
     }
 
     @Override
+    public Together together() {
+        return Together.LOOP;
+    }
+
+    @Override
     public boolean yieldsTo(Hypothesis rival) {
         return rival.kind() instanceof DryFriction;
     }

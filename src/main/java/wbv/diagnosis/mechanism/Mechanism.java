@@ -84,9 +84,19 @@ public sealed interface Mechanism
         return Optional.empty();
     }
 
-    /** Whether it is a force over deflection alone: two of those in one link are one curve, and the second is the form of the first. */
-    default boolean isCurve() {
-        return family() == Family.SPRING || family() == Family.CONTACT;
+    /** What two forces of a kind in one link are together: one of that kind, of which the second is the form. */
+    enum Together {
+        /** Of a force over deflection alone. */
+        CURVE,
+        /** Of what sticks and slides, whatever the rate: friction is one slider, a spring that yields some (Iwan 1966). */
+        LOOP,
+        /** Two. */
+        TWO
+    }
+
+    /** What it is with another of its kind in the same link. */
+    default Together together() {
+        return family() == Family.SPRING || family() == Family.CONTACT ? Together.CURVE : Together.TWO;
     }
 
     /** Whether another hypothesis is simpler where both act at one place, see {@link Hypothesis#yieldsTo}. */

@@ -46,8 +46,8 @@ record Scheduled(What what) implements Mechanism {
 
     /** It goes by a channel that was measured. */
     @Override
-    public boolean isCurve() {
-        return false;
+    public Together together() {
+        return Together.TWO;
     }
 
     @Override

@@ -19,6 +19,7 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Mechanism;
 
 /**
  * The search for two mechanisms at once. Each hides the other: with one of them missing, the fit bends the model to make up for it. So
@@ -188,7 +189,9 @@ public final class PairSearch {
 
     /** Whether what a hypothesis adds is a form of what a fit has at that place. */
     private boolean isForm(Hypothesis second, Fitter.State first) {
-        return second.kind().isCurve() && first.candidate().last().kind().isCurve() && place(second).equals(Place.ofLast(first));
+        Mechanism.Together one = second.kind().together();
+        return one != Mechanism.Together.TWO && one == first.candidate().last().kind().together()
+                && place(second).equals(Place.ofLast(first));
     }
 
     /**

@@ -63,6 +63,8 @@ public final class SecondMechanism {
         double near = 1 + Effort.ALIKE * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
         return left.keySet().stream().filter(place -> !Calibration.standard().isAsLikely(own, left.get(place)) && left.get(place) <= near)
                 .map(place -> place.plain(single.candidate().template()))
+                // A body on the base feels what its link does: the same place by another name.
+                .filter(place -> !place.equals(first.plain(single.candidate().template())))
                 .collect(Collectors.toSet());
     }
 

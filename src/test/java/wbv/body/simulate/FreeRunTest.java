@@ -164,7 +164,8 @@ class FreeRunTest {
     /** Laws of one link are found together; with one in another link, and one that goes by another link, they still answer each other. */
     @org.junit.jupiter.api.Test
     void lawsThatShareALinkAnswerEachOther() {
-        List<LawAt> laws = List.of(new LawAt(1, new Slider(0.1, 2e-4)), new LawAt(0, new CubicSpring(4e9)), new LawAt(1, new Slider(0.1, 5e-4)),
+        List<LawAt> laws = List.of(new LawAt(1, new Slider(0.1, 2e-4)), new LawAt(0, new CubicSpring(4e9)),
+                new LawAt(1, new Slider(0.1, 5e-4)),
                 new LawAt(1, new QuadraticDamping(2000)), new LawAt(1,
                         new LearnedTerm(Shape.DEFLECTION, new Modulator.OtherLink(Modulator.Of.DEFLECTION, 2), 3e7)),
                 new LawAt(2, new MaxwellArm(9000, 0.03)));
