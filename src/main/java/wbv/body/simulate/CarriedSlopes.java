@@ -34,8 +34,6 @@ final class CarriedSlopes {
     private double[] free;
     /** Laws of one motion, those of a link: what concerns that is kept by link, in the order of these. */
     private final int[][] links;
-    /** By law: which of these it is among. */
-    private final int[] linkOf;
     private final double[][] displacement;
     private final double[][] rate;
     private final double[][] earlier;
@@ -71,8 +69,6 @@ final class CarriedSlopes {
         this.ofStructure = holds.length > 1;
         int m = laws.length;
         links = run.together();
-        linkOf = IntStream.range(0, m).map(i -> IntStream.range(0, links.length)
-                .filter(g -> IntStream.of(links[g]).anyMatch(k -> k == i)).findFirst().orElseThrow()).toArray();
         this.linear = linear;
         ModalBasis basis = linear.basis;
         int inputs = inputs();
@@ -183,7 +179,7 @@ final class CarriedSlopes {
                 if (run.followed(i).follows()) {
                     follow(run.followed(i), modulation[i]);
                 }
-                rightSide(i, j);
+                rightSide(i, g, j);
                 add(force[g], right[i], 1);
             }
         }
@@ -195,7 +191,7 @@ final class CarriedSlopes {
                 for (int p = 0; p < count; p++) {
                     slope[i][p][j + 1] = right[i][p];
                 }
-                remember(i, j);
+                remember(i, g, j);
             }
         }
         double[] kept = state;
@@ -322,13 +318,12 @@ final class CarriedSlopes {
     }
 
     /** The derivative of law i's force if no law's force changed its motion. */
-    private void rightSide(int i, int j) {
+    private void rightSide(int i, int g, int j) {
         double[] f = laws[i].force;
         double r = f[LawSlopes.DISPLACEMENT_NOW];
         double v = f[LawSlopes.VELOCITY_NOW];
         double b = f[LawSlopes.DISPLACEMENT_BEFORE];
         double z = f[LawSlopes.MEMORY_BEFORE];
-        int g = linkOf[i];
         for (int p = 0; p < count; p++) {
             right[i][p] = r * displacement[g][p] + v * rate[g][p] + b * earlier[g][p] + z * memory[i][p];
         }
@@ -383,10 +378,9 @@ final class CarriedSlopes {
         }
     }
 
-    private void remember(int i, int j) {
+    private void remember(int i, int g, int j) {
         double[] z = laws[i].memory;
         double[] kept = memory[i];
-        int g = linkOf[i];
         for (int p = 0; p < count; p++) {
             kept[p] = z[LawSlopes.DISPLACEMENT_NOW] * displacement[g][p] + z[LawSlopes.VELOCITY_NOW] * rate[g][p]
                     + z[LawSlopes.DISPLACEMENT_BEFORE] * earlier[g][p] + z[LawSlopes.MEMORY_BEFORE] * kept[p];

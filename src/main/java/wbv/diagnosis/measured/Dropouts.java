@@ -15,7 +15,7 @@ final class Dropouts {
     /** How often chance may take a recording for one with a dropout. */
     private static final double RARE = 0.01;
     /** Lost samples of an input that a straight line stands for. */
-    private static final int BRIDGED = 2;
+    static final int BRIDGED = 2;
     /** How long a sitter rings on [s]. */
     private static final double RINGING = 1;
 

@@ -47,7 +47,7 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
         double rate = recording.clock().rate();
         double judged = model.isRig() ? rate : Math.min(rate, SitterRate.USUAL);
         double budget = rate / judged * readings / Math.max(1, model.outputs().size());
-        int pause = (int) Math.max(Unseen.BRIDGED + 1, Math.min(recording.length(), Math.ceil(Unseen.settling(model) * rate)));
+        int pause = (int) Math.max(Dropouts.BRIDGED + 1, Math.min(recording.length(), Math.ceil(Unseen.settling(model) * rate)));
         int pieces = (int) Math.min(MOST, budget * Unseen.MOST_SETTLING / pause);
         if (recording.length() <= budget || pieces < 2) {
             return Optional.empty();

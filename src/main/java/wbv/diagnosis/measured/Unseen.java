@@ -19,8 +19,6 @@ record Unseen(Model model, Recording recording) {
     private static final double LEFT = 1e-3;
     /** Part of what was recorded between two gaps that may pass until then [1]. */
     static final double MOST_SETTLING = 0.1;
-    /** Lost samples of an input that a straight line stands for. */
-    static final int BRIDGED = 2;
 
     /** Time in which whatever it was doing dies down [s]; none where a stroke holds it, infinite where something goes on as it was sent. */
     static double settling(Model model) {
@@ -39,7 +37,7 @@ record Unseen(Model model, Recording recording) {
             while (last + 1 < lost.length && lost[last + 1] == lost[last] + 1) {
                 last++;
             }
-            if (last - first >= BRIDGED) {
+            if (last - first >= Dropouts.BRIDGED) {
                 int next = IntStream.range(last + 1, lost.length).map(i -> lost[i]).findFirst().orElse(n);
                 Arrays.fill(out, lost[first], lost[last] + 1 + settled(next - lost[last] - 1), false);
             }
