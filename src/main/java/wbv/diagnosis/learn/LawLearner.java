@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Evidence;
@@ -99,9 +100,13 @@ public final class LawLearner {
 
     /** The model's numbers with which terms in a link are scored. */
     private double[] unbent(int link) {
+        return at(link).findFirst().map(found -> found.places().get(0).asGiven(base.candidate(), found.x())).orElse(base.x());
+    }
+
+    /** What is left where a link is ignored, if that was looked at. */
+    private Stream<Known.Ignoring> at(int link) {
         Place place = new Place(Place.Kind.LINK, link);
-        return places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
-                .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
+        return places.stream().filter(found -> found.places().get(0).equals(place));
     }
 
     /** Links in which all that is missing could enter. */
@@ -173,7 +178,7 @@ public final class LawLearner {
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     public boolean isOne(Fitter.State name) {
         List<Sentence> all = new ArrayList<>();
-        for (int link : links().stream().filter(each -> mayLeave(each, Priors.MAJORITY, name)).toList()) {
+        for (int link : links().stream().filter(each -> mayHoldAll(each) && mayLeave(each, Priors.MAJORITY, name)).toList()) {
             List<Sentence> single = openings.of(link, unbent(link), name).sentences().stream()
                     .filter(sentence -> sentence.terms().size() == 1).toList();
             all.addAll(single);
@@ -183,15 +188,22 @@ public final class LawLearner {
     }
 
     /**
+     * Whether all that is missing may enter in a link: ignored there it leaves no more than places scatter by. What stands for a simulation
+     * leaves more of its own.
+     */
+    private boolean mayHoldAll(int link) {
+        double most = Math.max(Priors.LOUD, Locator.scatter(base, Effort.BEHIND));
+        return evidence.standsForSimulation() || at(link).allMatch(found -> found.reduced() < most);
+    }
+
+    /**
      * Whether whatever force in a link leaves less than some share of what a name leaves beyond noise: no law there leaves less. Where a
      * force is ignored, one residual in each sample goes with it, which a law may have left empty.
      */
     private boolean mayLeave(int link, double share, Fitter.State name) {
         double shown = 1 - 1.0 / evidence.outputs().size();
         double floor = evidence.floor();
-        Place place = new Place(Place.Kind.LINK, link);
-        return places.stream().filter(found -> found.places().get(0).equals(place))
-                .allMatch(found -> shown * found.reduced() - floor < share * (name.reduced() - floor));
+        return at(link).allMatch(found -> shown * found.reduced() - floor < share * (name.reduced() - floor));
     }
 
     /**

@@ -176,6 +176,16 @@ public final class Locator {
         return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());
     }
 
+    /**
+     * What the places at which a mismatch enters leave at most, as a mean square of the whitened residual.
+     *
+     * @param base with all of the mismatch
+     * @param times what places scatter by
+     */
+    public static double scatter(Fitter.State base, double times) {
+        return 1 + times * Priors.SCATTER * (base.reduced() - 1);
+    }
+
     private static List<Known.Ignoring> sorted(List<Known.Ignoring> found) {
         List<Known.Ignoring> out = new ArrayList<>(found);
         out.sort(BEST);

@@ -82,7 +82,7 @@ final class PlacePairs {
 
     /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
     private static double reach(List<Known.Ignoring> places, double times, Fitter.State base) {
-        return Math.max(Locator.reach(places, times), 1 + times * Priors.SCATTER * (base.reduced() - 1));
+        return Math.max(Locator.reach(places, times), Locator.scatter(base, times));
     }
 
     /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
