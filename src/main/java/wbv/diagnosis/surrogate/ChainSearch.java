@@ -3,6 +3,7 @@ package wbv.diagnosis.surrogate;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import wbv.body.Model;
@@ -11,10 +12,11 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /**
- * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or a link
- * more as long as each halves what is missed, in another order where nothing else helps. Where none is found that does all of it, the
- * simulation is no such net, and what is missed says nothing of where bodies and links are missing: then it is taken for what most are, a
- * person who leans on a backrest, with soft parts that swing in the trunk and masses about the usual ones ({@link MassPrior}).
+ * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies as their motion says or in a chain,
+ * with a body or a link more as long as each halves what is missed, in another order where nothing else helps. Where none is found that
+ * does all of it, the simulation is no such net, and what is missed says nothing of where bodies and links are missing: then it is taken for
+ * what most are, a person who leans on a backrest, with soft parts that swing in the trunk and masses about the usual ones
+ * ({@link MassPrior}).
  */
 final class ChainSearch {
 
@@ -31,6 +33,8 @@ final class ChainSearch {
     private final int measured;
     private final ChainArrangements arrangements;
     private final ChainFit fit;
+    /** As the motion says, where it says anything. */
+    private final Optional<Model> read;
 
     /** @param driven input and outputs, nothing else */
     ChainSearch(Recording driven, Channel input, List<Channel> outputs) {
@@ -39,6 +43,7 @@ final class ChainSearch {
         measured = outputs.size();
         arrangements = new ChainArrangements(input,
                 outputs.stream().sorted(Comparator.comparingInt(output -> Segment.order(output.location()))).toList());
+        read = ReadChain.of(part, input, outputs);
         // What was computed has no noise; one that is small beside every output lets all of them count.
         double faintest = outputs.stream().mapToDouble(output -> Missed.deviation(driven.values(output), 0)).min().orElseThrow();
         fit = new ChainFit(FittedNet.GOOD * faintest);
@@ -57,9 +62,10 @@ final class ChainSearch {
         return driven.part(best, best + length);
     }
 
-    /** The measured bodies in a chain in their usual order, fitted from one start. */
+    /** The measured bodies alone, fitted as their motion says that they hang together, or in a chain in their usual order. */
     FittedChain plain() {
-        return tried(arrangements.plain());
+        return read.map(this::tried).filter(chain -> chain.worst() <= FittedNet.GOOD)
+                .orElseGet(() -> nearest(tried(arrangements.plain()), read.stream().toList()));
     }
 
     /**

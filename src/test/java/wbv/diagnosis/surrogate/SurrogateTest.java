@@ -75,6 +75,30 @@ class SurrogateTest {
         assertEquals(List.of("platform-q", "q-r", "r-p"), found.model().links().stream().map(Model.Link::name).toList());
     }
 
+    /** On a platform that shakes up to 100 Hz; their order is no usual one. */
+    @Test
+    void whichBodyHangsOnWhichIsReadFromTheirMotion() {
+        Model truth = chain(List.of("head", "frame", "pelvis"), List.of());
+        Random random = new Random(8);
+        double[] platform = random.doubles(N, -1, 1).toArray();
+        Recording base = new Recording(new Clock(0, 200), Map.of(BASE, platform), Metadata.NONE);
+        double[][] outputs = new Simulator(Excitation.of(truth, base, N)).outputs(truth.assembly());
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        for (int o : new int[] {2, 0, 1}) {
+            values.put(truth.outputs().get(o), outputs[o]);
+        }
+        Recording simulation = new Recording(base.clock(), values, Metadata.NONE);
+        Model read = ReadChain.of(with(simulation, BASE, platform), BASE, simulation.channels()).orElseThrow();
+        assertEquals(List.of("platform-head", "head-frame", "frame-pelvis"),
+                read.links().stream().map(Model.Link::name).toList());
+        double factor = truth.mass() / read.mass();
+        for (Model.Link link : truth.links()) {
+            Model.Link own = read.links().stream().filter(each -> each.name().equals(link.name())).findFirst().orElseThrow();
+            assertEquals(link.stiffness(), factor * own.stiffness(), 1e-5 * link.stiffness(), link.name());
+            assertEquals(link.damping(), factor * own.damping(), 1e-5 * link.damping(), link.name());
+        }
+    }
+
     /** Neither the pelvis nor its sensor: a body between the two that are known does it. */
     @Tag("slow")
     @Test
