@@ -487,6 +487,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return declared.orElse(driven() || !inputs.isEmpty() ? Subject.RIG : Subject.PERSON);
     }
 
+    /** The same, declared to be that. */
+    public Model declaredAs(Subject subject) {
+        return new Model(name, source, axis, base, bodies, links, inputs, Optional.of(subject), sensors);
+    }
+
     /** Whether it is a rig by what its user says or, where nobody does, by what it holds. */
     public boolean isRig() {
         return subject() == Subject.RIG;

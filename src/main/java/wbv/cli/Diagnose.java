@@ -27,6 +27,7 @@ import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
 import wbv.diagnosis.picture.Pictures;
+import wbv.diagnosis.surrogate.Simulated;
 import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
@@ -72,6 +73,16 @@ final class Diagnose implements Callable<Integer> {
                     + "that it takes)")
     private Optional<String> input = Optional.empty();
 
+    @Option(names = "--subject", paramLabel = "person|rig",
+            description = "what the simulation is one of, or the model in place of what it says itself: a person, who is taken at 60 Hz "
+                    + "at most and may move by himself, or a rig, at the rate that was recorded (of a simulation: a person if a place on a "
+                    + "seat or a sitter is among its channels)")
+    private Optional<Model.Subject> subject = Optional.empty();
+
+    @Option(names = "--mass", paramLabel = "KG", description = "without --model: the mass of all that the simulation's input moves, to "
+            + "which forces that are found are in proportion (55 kg)")
+    private Optional<Double> mass = Optional.empty();
+
     @Option(names = "--with", paramLabel = "RECORDING",
             description = "another recording of the same subject and sensors, fitted together with the first; "
                     + "levels that differ tell what depends on amplitude")
@@ -105,7 +116,11 @@ final class Diagnose implements Callable<Integer> {
         if (noise.isPresent() && !(noise.get() > 0 && noise.get() < Double.POSITIVE_INFINITY)) {
             throw wrong("--noise must be > 0 in the outputs' unit: " + noise.get());
         }
-        Optional<Model> given = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
+        if (mass.isPresent() && (model.isPresent() || !(mass.get() > 0 && mass.get() < Double.POSITIVE_INFINITY))) {
+            throw wrong(model.isPresent() ? "--mass goes with --simulation; a model has its masses"
+                    : "--mass must be > 0 kg: " + mass.get());
+        }
+        Optional<Model> given = model.isEmpty() ? Optional.empty() : Optional.of(declared(PublishedModels.find(model.get())));
         Optional<Channel> column = given.flatMap(beside -> simulation.map(name -> channel("--simulation", name,
                 "; beside --model it names a channel of the recording, a file goes without --model")));
         if (given.isEmpty() && (proof.isPresent() || !others.isEmpty())) {
@@ -144,6 +159,10 @@ final class Diagnose implements Callable<Integer> {
                     wrote(forces.isPresent()), out.json("diagnosis.json"));
         }
         return 0;
+    }
+
+    private Model declared(Model read) {
+        return subject.map(read::declaredAs).orElse(read);
     }
 
     /** The recording, those beside it and the one that proves. */
@@ -203,14 +222,16 @@ final class Diagnose implements Callable<Integer> {
             ProgressBar bar)
             throws IOException {
         Path file = Path.of(simulation.orElseThrow());
+        OptionalDouble weight = mass.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
         Surrogate.Examined examined;
         if (FmuSimulation.isNamed(file.toString())) {
             try (FmuSimulation unit = variables.open(file, loaded)) {
-                examined = new HeldUnit(unit, file.toString(), loaded, known, recording.map().isPresent()).examined(driver, folder, notes,
-                        bar::at);
+                examined = new HeldUnit(unit, file.toString(), subject, weight, loaded, known, recording.map().isPresent()).examined(driver,
+                        folder, notes, bar::at);
             }
         } else {
-            examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), known,
+            examined = Surrogate.examine(loaded,
+                    new Simulated(new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), subject, weight), known,
                     recording.map().isPresent(), bar::at);
         }
         AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));

@@ -10,7 +10,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
+import wbv.body.Model;
 import wbv.diagnosis.Diagnosed;
+import wbv.diagnosis.surrogate.Simulated;
 import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FittedValues;
 import wbv.fmi.FmuSimulation;
@@ -26,8 +28,11 @@ import wbv.result.OutputFolder;
  * fitted; and where these do not either, as a simulation from which physics was left out.
  *
  * @param name of the unit, for messages
+ * @param subject that it simulates, where the user says so
+ * @param mass of all that its input moves [kg], likewise
  */
-record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDouble noise, boolean unitsKnown) {
+record HeldUnit(FmuSimulation unit, String name, Optional<Model.Subject> subject, OptionalDouble mass, Recording recording,
+        OptionalDouble noise, boolean unitsKnown) {
 
     /** Part of a recording that is fitted, as in every diagnosis. */
     private static final double FITTED = 0.7;
@@ -41,26 +46,26 @@ record HeldUnit(FmuSimulation unit, String name, Recording recording, OptionalDo
             throws IOException {
         Channel input = driver.orElseGet(this::driver);
         progress.accept("running the simulation", 0.0);
-        Recording simulated = unit.run(Map.of());
+        Simulated simulated = new Simulated(unit.run(Map.of()), name, input, subject, mass);
         notes.addAll(unit.notes());
-        RecordingWriter.write(folder.file("simulation.csv"), simulated);
-        Optional<Surrogate.Examined> silent = Surrogate.unremarkable(recording, simulated, name, input, noise, unitsKnown, progress);
+        RecordingWriter.write(folder.file("simulation.csv"), simulated.outputs());
+        Optional<Surrogate.Examined> silent = Surrogate.unremarkable(recording, simulated, noise, unitsKnown, progress);
         if (silent.isPresent() || unit.parameters().isEmpty()) {
-            return silent.isPresent() ? silent.get() : Surrogate.examine(recording, simulated, name, input, noise, unitsKnown, progress);
+            return silent.isPresent() ? silent.get() : Surrogate.examine(recording, simulated, noise, unitsKnown, progress);
         }
         FittedValues fitted = FittedValues.of(unit, recording, (int) (FITTED * recording.length()), progress);
         Recording moved = unit.run(fitted.values());
-        Optional<Surrogate.Examined> quiet = Surrogate.unremarkable(recording, moved, name, input, noise, unitsKnown, progress);
+        Optional<Surrogate.Examined> quiet = Surrogate.unremarkable(recording, simulated.with(moved), noise, unitsKnown, progress);
         if (quiet.isPresent()) {
             AtomicFile.write(folder.file("parameters.json"), json(fitted));
             RecordingWriter.write(folder.file("simulation.csv"), moved);
             Diagnosed found = quiet.get().diagnosed();
             return new Surrogate.Examined(quiet.get().surrogate(),
-                    found.afterFitting(sentence(fitted), heldOut(simulated, found.diagnosis().fit().heldOut())));
+                    found.afterFitting(sentence(fitted), heldOut(simulated.outputs(), found.diagnosis().fit().heldOut())));
         }
         notes.add("other values of its parameters alone leave " + errors(fitted.after()) + " instead of " + errors(fitted.before())
                 + " of what was recorded, which sensors do not explain; it is held against the recording with its own");
-        return Surrogate.examine(recording, simulated, name, input, noise, unitsKnown, progress);
+        return Surrogate.examine(recording, simulated, noise, unitsKnown, progress);
     }
 
     private Channel driver() {

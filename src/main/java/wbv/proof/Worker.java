@@ -18,6 +18,7 @@ import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
+import wbv.diagnosis.surrogate.Simulated;
 import wbv.diagnosis.surrogate.Surrogate;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
@@ -54,7 +55,7 @@ public final class Worker {
 
     /** The recording held against a user's own simulator, of which only what it gave is known. */
     private static ProofAnswer beside(Recording recorded, Recording simulation, long start) {
-        Surrogate.Examined examined = Surrogate.examine(recorded, simulation, "the simulation", DRIVER, OptionalDouble.empty(), false,
+        Surrogate.Examined examined = Surrogate.examine(recorded, Simulated.of(simulation, "the simulation", DRIVER), OptionalDouble.empty(), false,
                 (step, share) -> {});
         double seconds = (System.nanoTime() - start) / 1e9;
         return ProofAnswer.of(examined.diagnosed().diagnosis(), seconds,

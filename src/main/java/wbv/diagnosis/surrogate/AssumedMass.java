@@ -8,12 +8,12 @@ import wbv.body.Model;
 import wbv.recording.Metadata;
 
 /**
- * The mass that is assumed to sit: accelerations know masses, stiffness and damping only up to a common factor.
+ * The mass that is taken to sit, or to be moved: accelerations know masses, stiffness and damping only up to a common factor.
  *
  * @param sitting [kg], &gt; 0
- * @param person  mass of the person [kg], where it is known
+ * @param why     it is taken, to follow "its mass of so many kg"
  */
-record AssumedMass(double sitting, OptionalDouble person) {
+record AssumedMass(double sitting, String why) {
 
     /** What sits of a person of whom nothing is known [kg], and of one whose mass is [1]. */
     private static final double USUAL = 55;
@@ -25,10 +25,17 @@ record AssumedMass(double sitting, OptionalDouble person) {
         }
     }
 
-    /** By what is known of the subject. */
-    static AssumedMass of(Metadata known) {
+    /**
+     * By what is known.
+     *
+     * @param moved by the input, as a user says [kg]
+     * @param known of the subject
+     */
+    static AssumedMass of(OptionalDouble moved, Metadata known) {
         OptionalDouble person = known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
-        return new AssumedMass(person.isPresent() ? SHARE * person.getAsDouble() : USUAL, person);
+        return moved.isPresent() ? new AssumedMass(moved.getAsDouble(), "is given")
+                : person.isPresent() ? new AssumedMass(SHARE * person.getAsDouble(), "is assumed for a person of " + person.getAsDouble() + " kg")
+                        : new AssumedMass(USUAL, "is assumed");
     }
 
     /** A model along one axis with that mass in all, and stiffness and damping to match. */
@@ -50,8 +57,8 @@ record AssumedMass(double sitting, OptionalDouble person) {
      * @param how  it stands for it, to follow the name
      */
     Model told(Model model, String name, String how) {
-        String source = String.format(Locale.ROOT, "linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name,
-                how, sitting, person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
+        String source = String.format(Locale.ROOT, "linear surrogate of %s%s, identified by wbv%s; its mass of %.1f kg %s", name,
+                how, model.isRig() ? " as a rig" : "", sitting, why);
         return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), model.bodies(), model.links(),
                 model.inputs(), model.declared(), model.sensors());
     }

@@ -26,10 +26,17 @@ final class ChainFit {
     private static final double TOLERANCE = 1e-4;
 
     private final OptionalDouble noise;
+    private final Model.Subject subject;
 
-    /** @param noise standard deviation by which what is missed of an output counts, in the outputs' unit */
-    ChainFit(double noise) {
+    /**
+     * Of any bodies along one axis.
+     *
+     * @param noise   standard deviation by which what is missed of an output counts, in the outputs' unit
+     * @param subject that they simulate
+     */
+    ChainFit(double noise, Model.Subject subject) {
         this.noise = OptionalDouble.of(noise);
+        this.subject = subject;
     }
 
     /**
@@ -39,7 +46,7 @@ final class ChainFit {
      * @param masses what is expected of them
      */
     FittedChain of(Model start, Recording to, MassPrior masses) {
-        Model model = start;
+        Model model = start.declaredAs(subject);
         double cost = Double.POSITIVE_INFINITY;
         boolean settled = false;
         for (int round = 0; round < ROUNDS && !settled; round++) {

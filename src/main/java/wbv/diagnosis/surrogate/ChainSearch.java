@@ -36,8 +36,13 @@ final class ChainSearch {
     /** As the motion says, where it says anything. */
     private final Optional<Model> read;
 
-    /** @param driven input and outputs, nothing else */
-    ChainSearch(Recording driven, Channel input, List<Channel> outputs) {
+    /**
+     * Of what was simulated.
+     *
+     * @param driven  input and outputs, nothing else
+     * @param subject that is simulated
+     */
+    ChainSearch(Recording driven, Channel input, List<Channel> outputs, Model.Subject subject) {
         this.driven = driven;
         part = loudest(driven, input);
         measured = outputs.size();
@@ -46,7 +51,7 @@ final class ChainSearch {
         read = ReadChain.of(part, input, outputs);
         // What was computed has no noise; one that is small beside every output lets all of them count.
         double faintest = outputs.stream().mapToDouble(output -> Missed.deviation(driven.values(output), 0)).min().orElseThrow();
-        fit = new ChainFit(FittedNet.GOOD * faintest);
+        fit = new ChainFit(FittedNet.GOOD * faintest, subject);
     }
 
     /** What arrangements are tried on: as much of the recording as a fit needs, where its input is greatest. */

@@ -26,6 +26,7 @@ final class DrivenSimulation {
     private static final double RIGID = 0.01;
 
     private final Recording recording;
+    private final Simulated simulated;
     private final Recording simulation;
     private final String name;
     private final Channel input;
@@ -36,49 +37,49 @@ final class DrivenSimulation {
 
     /**
      * @param recording  as long as the simulation
-     * @param simulation as long as the recording
-     * @param name       what messages call it
+     * @param simulated as long as the recording
      * @param outputs    that do not just move with the input
      */
-    private DrivenSimulation(Recording recording, Recording simulation, String name, Channel input, List<Channel> outputs) {
+    private DrivenSimulation(Recording recording, Simulated simulated, List<Channel> outputs) {
         this.recording = recording;
-        this.simulation = simulation;
-        this.name = name;
-        this.input = input;
+        this.simulated = simulated;
+        this.simulation = simulated.outputs();
+        this.name = simulated.name();
+        this.input = simulated.input();
         this.outputs = List.copyOf(outputs);
         others = new OtherInputs(recording, input);
         Map<Channel, double[]> alone = new LinkedHashMap<>(Map.of(input, recording.values(input)));
         outputs.forEach(output -> alone.put(output, Missed.of(simulation.values(output), others.partOf(given(output)))));
-        taken = TakenInput.of(new Recording(recording.clock(), alone, Metadata.NONE), input, this.outputs);
+        taken = TakenInput.of(new Recording(recording.clock(), alone, Metadata.NONE), input, this.outputs, simulated.simulates());
     }
 
     /**
      * Of what was recorded of the base and a simulation of it.
      *
-     * @param name  what messages call the simulation
-     * @param input acceleration of the recording that drove the simulation
      * @throws DataFault if the two have no output or no time in common, or are not in one unit
      */
-    static DrivenSimulation of(Recording recording, Recording simulation, String name, Channel input) {
+    static DrivenSimulation of(Recording recording, Simulated simulated) {
+        Channel input = simulated.input();
+        String name = simulated.name();
         if (input.quantity() != Quantity.ACCELERATION || !recording.has(input)) {
             throw new DataFault("what drove the simulation must be an acceleration that was recorded: " + input + "; there are "
                     + along(recording, input));
         }
-        List<Channel> outputs = new ArrayList<>(along(simulation, input));
+        List<Channel> outputs = new ArrayList<>(along(simulated.outputs(), input));
         outputs.remove(input);
         if (outputs.stream().noneMatch(recording::has)) {
             throw DataFault.in(name, "has no acceleration along " + input.axis() + " that was recorded too; name its columns "
                     + "as the recording's channels: " + along(recording, input));
         }
-        Overlap overlap = Overlap.of(recording, simulation, name);
+        Overlap overlap = Overlap.of(recording, simulated.outputs(), name);
         Recording measured = overlap.ofRecording(recording);
-        Recording simulated = overlap.ofSimulation(simulation);
-        outputs.removeIf(output -> Missed.share(measured.values(input), simulated.values(output), 0) < RIGID);
+        Recording simulation = overlap.ofSimulation(simulated.outputs());
+        outputs.removeIf(output -> Missed.share(measured.values(input), simulation.values(output), 0) < RIGID);
         if (outputs.isEmpty()) {
             throw DataFault.in(name, "moves as " + input + " does, in all that was recorded too: there is nothing to identify");
         }
         try {
-            return new DrivenSimulation(measured, simulated, name, input, outputs);
+            return new DrivenSimulation(measured, simulated.with(simulation), outputs);
         } catch (DataFault fault) {
             throw DataFault.in(name, fault.getMessage());
         }
@@ -110,7 +111,7 @@ final class DrivenSimulation {
     /** The least arrangement along one axis that does what the simulation did. */
     FittedChain best(BiConsumer<String, Double> progress) {
         try {
-            return new ChainSearch(taken.driven(), input, outputs).best(taken.plain(), progress);
+            return new ChainSearch(taken.driven(), input, outputs, simulated.simulates()).best(taken.plain(), progress);
         } catch (DataFault fault) {
             throw DataFault.in(name, fault.getMessage());
         }
@@ -120,15 +121,16 @@ final class DrivenSimulation {
     Surrogate surrogate(FittedChain chain) {
         String how = (taken.held() ? ", its input held over each sample" : "") + (others.channels().isEmpty() ? ""
                 : ", beside what " + others.channels().stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
-        AssumedMass mass = AssumedMass.of(recording.metadata());
+        AssumedMass mass = AssumedMass.of(simulated.mass(), recording.metadata());
         Model model = mass.told(mass.given(chain.model()).seenBy(recording.channels()), name, how);
         return surrogate(model, SimulatedPlane.outputs(model, taken.driven()), this::given, chain.errors());
     }
 
     /** Bodies in a plane, with what the simulation gave beside them. */
     Surrogate surrogate(SimulatedPlane plane, PlaneNet net) {
-        AssumedMass mass = AssumedMass.of(recording.metadata());
-        Model model = mass.told(plane.model(net, mass.sitting()).seenBy(recording.channels()), name, " in the plane of x and z");
+        AssumedMass mass = AssumedMass.of(simulated.mass(), recording.metadata());
+        Model model = mass.told(plane.model(net, mass.sitting()).declaredAs(simulated.simulates()).seenBy(recording.channels()), name,
+                " in the plane of x and z");
         double[][] own = SimulatedPlane.outputs(model, recording);
         Map<Channel, Double> errors = new LinkedHashMap<>();
         for (int o = 0; o < own.length; o++) {

@@ -28,8 +28,8 @@ record Segment(String name, double mass, double x, double z, double gyration) {
             new Segment("pelvis", 19, 0, 0.12, 0.15), new Segment("abdomen", 12, 0, 0.25, 0.13),
             new Segment("lumbar", 12, -0.05, 0.25, 0.13), new Segment("torso", 31, 0, 0.42, 0.18),
             new Segment("trunk", 31, 0, 0.42, 0.18), new Segment("chest", 31, 0, 0.42, 0.18),
-            new Segment("sternum", 31, 0, 0.42, 0.18), new Segment("neck", 1.5, 0, 0.65, 0.06),
-            new Segment("head", 5, 0.02, 0.8, 0.08));
+            new Segment("sternum", 31, 0, 0.42, 0.18), new Segment("shoulders", 7, 0, 0.55, 0.15),
+            new Segment("neck", 1.5, 0, 0.65, 0.06), new Segment("head", 5, 0.02, 0.8, 0.08));
 
     Segment {
         if (!(mass > 0 && gyration > 0 && Double.isFinite(x + z))) {

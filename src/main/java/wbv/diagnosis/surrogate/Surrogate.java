@@ -47,21 +47,18 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
      * Diagnoses what a simulation leaves out of a recording. First the two are held against each other as they are; only where sensors and
      * a person who sits still do not explain the difference is a model needed that does what the simulation did.
      *
-     * @param simulation what a simulation gave, channels named as the recording's and on its clock; the rest is left out
-     * @param name       what messages call the simulation
-     * @param input      acceleration of the recording that drove the simulation
      * @param noise      standard deviation of a sample of the outputs where it is known
      * @param unitsKnown see {@link Question}
      * @param progress   told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the two have no output or no time in common, or differ and no chain does what the simulation did
      */
-    public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise,
-            boolean unitsKnown, BiConsumer<String, Double> progress) {
-        DrivenSimulation driven = DrivenSimulation.of(recording, simulation, name, input);
+    public static Examined examine(Recording recording, Simulated simulated, OptionalDouble noise, boolean unitsKnown,
+            BiConsumer<String, Double> progress) {
+        DrivenSimulation driven = DrivenSimulation.of(recording, simulated);
         Optional<InPlane> plane = InPlane.of(driven);
         return silent(driven, plane, noise, unitsKnown, progress).orElseGet(() -> {
             Surrogate best = best(driven, plane, progress);
-            best.require(input);
+            best.require(simulated.input());
             return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
         });
     }
@@ -70,9 +67,9 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
      * As {@link #examine}, where sensors and a person who sits still explain the difference; empty where they do not, and no more is looked
      * for.
      */
-    public static Optional<Examined> unremarkable(Recording recording, Recording simulation, String name, Channel input,
-            OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
-        DrivenSimulation driven = DrivenSimulation.of(recording, simulation, name, input);
+    public static Optional<Examined> unremarkable(Recording recording, Simulated simulated, OptionalDouble noise, boolean unitsKnown,
+            BiConsumer<String, Double> progress) {
+        DrivenSimulation driven = DrivenSimulation.of(recording, simulated);
         return silent(driven, InPlane.of(driven), noise, unitsKnown, progress);
     }
 
@@ -94,8 +91,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     public record Examined(Surrogate surrogate, Diagnosed diagnosed) {}
 
     /** The best surrogate of a simulation, however good it is. */
-    static Surrogate of(Recording recording, Recording simulation, String name, Channel input, BiConsumer<String, Double> progress) {
-        DrivenSimulation driven = DrivenSimulation.of(recording, simulation, name, input);
+    static Surrogate of(Recording recording, Simulated simulated, BiConsumer<String, Double> progress) {
+        DrivenSimulation driven = DrivenSimulation.of(recording, simulated);
         return best(driven, InPlane.of(driven), progress);
     }
 
@@ -132,9 +129,10 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 .collect(Collectors.joining(", "));
     }
 
-    /** What it is and how well it does, in a line. */
+    /** What it is and how well it does, in a line; one that misses much serves where what the simulation gave is enough by itself. */
     public String sentence() {
-        return model.source().orElse("") + ": " + chain() + "; misses " + errors.entrySet().stream()
+        return !isGood() ? name + " is held against the recording as it is: sensors explain what they differ by, and no model of it is needed"
+                : model.source().orElse("") + ": " + chain() + "; misses " + errors.entrySet().stream()
                 .map(entry -> percent(entry.getValue()) + " of " + entry.getKey()).collect(Collectors.joining(", "));
     }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import wbv.body.Model;
 import wbv.diagnosis.measured.AccelerationUnit;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -29,26 +30,27 @@ record TakenInput(Recording driven, FittedChain plain, boolean held) {
      * The input of a simulation.
      *
      * @param recorded the input, and the outputs that it drove
+     * @param subject that is simulated
      * @throws DataFault if the outputs look to be in another unit than the input
      */
-    static TakenInput of(Recording recorded, Channel input, List<Channel> outputs) {
-        TakenInput asRecorded = taken(recorded, input, outputs, false);
-        return asRecorded.plain.worst() > DOUBTFUL ? asRecorded.doubted(input, outputs) : asRecorded;
+    static TakenInput of(Recording recorded, Channel input, List<Channel> outputs, Model.Subject subject) {
+        TakenInput asRecorded = taken(recorded, input, outputs, subject, false);
+        return asRecorded.plain.worst() > DOUBTFUL ? asRecorded.doubted(input, outputs, subject) : asRecorded;
     }
 
-    private static TakenInput taken(Recording driven, Channel input, List<Channel> outputs, boolean held) {
-        return new TakenInput(driven, new ChainSearch(driven, input, outputs).plain(), held);
+    private static TakenInput taken(Recording driven, Channel input, List<Channel> outputs, Model.Subject subject, boolean held) {
+        return new TakenInput(driven, new ChainSearch(driven, input, outputs, subject).plain(), held);
     }
 
-    private TakenInput doubted(Channel input, List<Channel> outputs) {
+    private TakenInput doubted(Channel input, List<Channel> outputs, Model.Subject subject) {
         double[] values = driven.values(input);
         for (Map.Entry<String, Double> unit : UNITS) {
             double[] scaled = Arrays.stream(values).map(value -> value / unit.getValue()).toArray();
-            if (taken(with(input, scaled), input, outputs, false).plain.worst() < Math.min(Surrogate.MOST, plain.worst() / 2)) {
+            if (taken(with(input, scaled), input, outputs, subject, false).plain.worst() < Math.min(Surrogate.MOST, plain.worst() / 2)) {
                 throw new DataFault("looks to be in " + unit.getKey() + ", the recording in m/s2; save it in m/s2");
             }
         }
-        TakenInput steps = taken(with(input, ZeroOrderHold.of(values, driven.clock().rate())), input, outputs, true);
+        TakenInput steps = taken(with(input, ZeroOrderHold.of(values, driven.clock().rate())), input, outputs, subject, true);
         return steps.plain.worst() < plain.worst() / 2 ? steps : this;
     }
 

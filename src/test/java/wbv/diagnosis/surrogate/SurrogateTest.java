@@ -99,6 +99,26 @@ class SurrogateTest {
         }
     }
 
+    /** Places that are no sitter's, unless the user says otherwise: nothing of it is slowed down or left out. */
+    @Test
+    void whatNamesNoPlaceOfASitterIsARigAtItsOwnRate() {
+        Model truth = chain(List.of("table", "frame"), List.of()).declaredAs(Model.Subject.RIG);
+        double[] platform = new Random(9).doubles(2 * N, -1, 1).toArray();
+        Recording base = new Recording(new Clock(0, 200), Map.of(BASE, platform), Metadata.NONE);
+        double[][] outputs = new Simulator(Excitation.of(truth, base, platform.length)).outputs(truth.assembly());
+        Recording simulation = new Recording(base.clock(),
+                Map.of(truth.outputs().get(0), outputs[0], truth.outputs().get(1), outputs[1]), Metadata.NONE);
+        Recording both = with(simulation, BASE, platform);
+        Surrogate found = Surrogate.of(both, new Simulated(simulation, "sim.csv", BASE, Optional.empty(), OptionalDouble.of(48)),
+                (step, share) -> {});
+        assertTrue(found.model().isRig() && found.sentence().contains("as a rig; its mass of 48.0 kg is given"), found.sentence());
+        assertEquals(62000, found.model().links().get(0).stiffness(), 62);
+        found.errors().values().forEach(error -> assertEquals(0, error, 1e-3));
+        Surrogate person = Surrogate.of(both,
+                new Simulated(simulation, "sim.csv", BASE, Optional.of(Model.Subject.PERSON), OptionalDouble.empty()), (step, share) -> {});
+        assertTrue(!person.model().isRig(), person.sentence());
+    }
+
     /** Neither the pelvis nor its sensor: a body between the two that are known does it. */
     @Tag("slow")
     @Test
@@ -345,7 +365,7 @@ class SurrogateTest {
     }
 
     private static Surrogate.Examined examined(Recording recording, Recording simulation) {
-        return Surrogate.examine(recording, simulation, "sim.csv", BASE, OptionalDouble.empty(), false, (step, share) -> {});
+        return Surrogate.examine(recording, Simulated.of(simulation, "sim.csv", BASE), OptionalDouble.empty(), false, (step, share) -> {});
     }
 
     @Test
@@ -360,7 +380,7 @@ class SurrogateTest {
     }
 
     private static Surrogate of(Recording recording, Recording simulation) {
-        return Surrogate.of(recording, simulation, "sim.csv", BASE, (step, share) -> {});
+        return Surrogate.of(recording, Simulated.of(simulation, "sim.csv", BASE), (step, share) -> {});
     }
 
     private static String refused(Recording recording, Recording simulation) {
