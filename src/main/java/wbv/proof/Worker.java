@@ -55,7 +55,8 @@ public final class Worker {
 
     /** The recording held against a user's own simulator, of which only what it gave is known. */
     private static ProofAnswer beside(Recording recorded, Recording simulation, long start) {
-        Surrogate.Examined examined = Surrogate.examine(recorded, Simulated.of(simulation, "the simulation", DRIVER), OptionalDouble.empty(), false,
+        Surrogate.Examined examined = Surrogate.examine(recorded, Simulated.of(simulation, "the simulation", DRIVER),
+                OptionalDouble.empty(), false,
                 (step, share) -> {});
         double seconds = (System.nanoTime() - start) / 1e9;
         return ProofAnswer.of(examined.diagnosed().diagnosis(), seconds,

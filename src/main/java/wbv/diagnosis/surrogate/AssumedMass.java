@@ -34,7 +34,8 @@ record AssumedMass(double sitting, String why) {
     static AssumedMass of(OptionalDouble moved, Metadata known) {
         OptionalDouble person = known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
         return moved.isPresent() ? new AssumedMass(moved.getAsDouble(), "is given")
-                : person.isPresent() ? new AssumedMass(SHARE * person.getAsDouble(), "is assumed for a person of " + person.getAsDouble() + " kg")
+                : person.isPresent()
+                        ? new AssumedMass(SHARE * person.getAsDouble(), "is assumed for a person of " + person.getAsDouble() + " kg")
                         : new AssumedMass(USUAL, "is assumed");
     }
 

@@ -35,7 +35,8 @@ public record Simulated(Recording outputs, String name, Channel input, Optional<
 
     /** What it is said to simulate, else a person if any of its places is one on a seat or on who sits there. */
     Model.Subject simulates() {
-        return subject.orElse(outputs.channels().stream().anyMatch(channel -> Segment.at(channel.location()).isPresent()) ? Model.Subject.PERSON
-                : Model.Subject.RIG);
+        return subject
+                .orElse(outputs.channels().stream().anyMatch(channel -> Segment.at(channel.location()).isPresent()) ? Model.Subject.PERSON
+                        : Model.Subject.RIG);
     }
 }

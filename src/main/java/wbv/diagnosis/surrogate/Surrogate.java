@@ -131,9 +131,10 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
     /** What it is and how well it does, in a line; one that misses much serves where what the simulation gave is enough by itself. */
     public String sentence() {
-        return !isGood() ? name + " is held against the recording as it is: sensors explain what they differ by, and no model of it is needed"
+        return !isGood()
+                ? name + " is held against the recording as it is: sensors explain what they differ by, and no model of it is needed"
                 : model.source().orElse("") + ": " + chain() + "; misses " + errors.entrySet().stream()
-                .map(entry -> percent(entry.getValue()) + " of " + entry.getKey()).collect(Collectors.joining(", "));
+                        .map(entry -> percent(entry.getValue()) + " of " + entry.getKey()).collect(Collectors.joining(", "));
     }
 
     private static String percent(double share) {
