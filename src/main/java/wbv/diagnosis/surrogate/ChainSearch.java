@@ -14,8 +14,8 @@ import wbv.recording.Recording;
 /**
  * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies as their motion says or in a chain,
  * with a body or a link more as long as each halves what is missed, in another order where nothing else helps. Where none is found that
- * does all of it, the simulation is no such net, and what is missed says nothing of where bodies and links are missing: then it is taken for
- * what most are, a person who leans on a backrest, with soft parts that swing in the trunk and masses about the usual ones
+ * does all of it, the simulation is no such net, and what is missed says nothing of where bodies and links are missing: then it is taken
+ * for what most are, a person who leans on a backrest, with soft parts that swing in the trunk and masses about the usual ones
  * ({@link MassPrior}).
  */
 final class ChainSearch {
@@ -27,6 +27,8 @@ final class ChainSearch {
     /** As much of a recording as arrangements are tried on: in time [s], and in samples at least. */
     private static final double PART = 30;
     private static final int FEWEST = 1536;
+    /** As much as the last of them is fitted to, in samples: what was computed has no noise that more would lessen. */
+    private static final int MOST = 1 << 15;
 
     private final Recording driven;
     private final Recording part;
@@ -43,8 +45,8 @@ final class ChainSearch {
      * @param subject that is simulated
      */
     ChainSearch(Recording driven, Channel input, List<Channel> outputs, Model.Subject subject) {
-        this.driven = driven;
-        part = loudest(driven, input);
+        this.driven = loudest(driven, input, MOST);
+        part = loudest(driven, input, (int) Math.max(PART * driven.clock().rate(), FEWEST));
         measured = outputs.size();
         arrangements = new ChainArrangements(input,
                 outputs.stream().sorted(Comparator.comparingInt(output -> Segment.order(output.location()))).toList());
@@ -54,9 +56,9 @@ final class ChainSearch {
         fit = new ChainFit(FittedNet.GOOD * faintest, subject);
     }
 
-    /** What arrangements are tried on: as much of the recording as a fit needs, where its input is greatest. */
-    private static Recording loudest(Recording driven, Channel input) {
-        int length = Math.min(driven.length(), (int) Math.max(PART * driven.clock().rate(), FEWEST));
+    /** So many samples of a recording, where its input is greatest. */
+    private static Recording loudest(Recording driven, Channel input, int most) {
+        int length = Math.min(driven.length(), most);
         int best = 0;
         double greatest = -1;
         for (int from = 0; from + length <= driven.length(); from += Math.max(1, length / 4)) {
@@ -74,7 +76,7 @@ final class ChainSearch {
     }
 
     /**
-     * The best on a part, fitted to all.
+     * The best on a part, fitted to more.
      *
      * @param plain as {@link #plain()} gives it
      * @param progress told the step and the share of it that is done, 0 to 1

@@ -54,13 +54,25 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
      */
     public static Examined examine(Recording recording, Simulated simulated, OptionalDouble noise, boolean unitsKnown,
             BiConsumer<String, Double> progress) {
+        Asked asked = asked(recording, simulated, noise, unitsKnown, progress);
+        // What it was found from is not kept: of a long recording that is as much again.
+        return asked.silent().orElseGet(
+                () -> new Examined(asked.surrogate(), Diagnoser.examine(asked.surrogate().question(noise, unitsKnown), progress)));
+    }
+
+    /** A surrogate that is good enough to be asked what is missing, if that is asked. */
+    private record Asked(Surrogate surrogate, Optional<Examined> silent) {}
+
+    private static Asked asked(Recording recording, Simulated simulated, OptionalDouble noise, boolean unitsKnown,
+            BiConsumer<String, Double> progress) {
         DrivenSimulation driven = DrivenSimulation.of(recording, simulated);
         Optional<InPlane> plane = InPlane.of(driven);
-        return silent(driven, plane, noise, unitsKnown, progress).orElseGet(() -> {
-            Surrogate best = best(driven, plane, progress);
+        Optional<Examined> silent = silent(driven, plane, noise, unitsKnown, progress);
+        Surrogate best = silent.map(Examined::surrogate).orElseGet(() -> best(driven, plane, progress));
+        if (silent.isEmpty()) {
             best.require(simulated.input());
-            return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
-        });
+        }
+        return new Asked(best, silent);
     }
 
     /**
