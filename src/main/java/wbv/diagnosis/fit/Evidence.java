@@ -6,10 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import wbv.body.Model;
-import wbv.body.SensorFault;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.mechanism.Library;
@@ -88,9 +85,7 @@ public final class Evidence {
 
     /** Channels of the recording that hold what a simulation gave beside the model, and nobody measured. */
     public Set<Channel> beside() {
-        return Stream.concat(model().bodies().stream().map(Model.Body::faults), model().sensors().stream().map(Model.Sensor::faults))
-                .flatMap(List::stream).filter(SensorFault.Beside.class::isInstance).map(fault -> ((SensorFault.Beside) fault).channel())
-                .collect(Collectors.toSet());
+        return Measured.beside(model());
     }
 
     /** What is judged by: a fast one of a sitter brought to about 60 Hz, any other as it was read. */

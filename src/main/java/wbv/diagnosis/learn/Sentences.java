@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -30,11 +29,8 @@ import wbv.diagnosis.search.Screening;
  */
 final class Sentences {
 
-    private static final int ROUNDS = 4;
-
     private final Fitter.State state;
-    private final Screening screening;
-    private final List<PartialledOut.Rest> linear;
+    private final TermColumns columns;
     private final int link;
     private final Vocabulary words;
     private final List<Hypothesis> likely = new ArrayList<>();
@@ -49,9 +45,7 @@ final class Sentences {
         this.state = state;
         this.words = words;
         this.link = link;
-        this.screening = new Screening(evidence, state, motion, modulators);
-        this.linear = List.of(screening.left().of(screening.direction(link, motion.displacement(link))),
-                screening.left().of(screening.direction(link, motion.velocity(link))));
+        this.columns = new TermColumns(new Screening(evidence, state, motion, modulators), state.candidate(), motion, link);
     }
 
     /**
@@ -72,13 +66,6 @@ final class Sentences {
     }
 
     /**
-     * A term at a start.
-     *
-     * @param columns what its amplitudes do
-     */
-    private record Column(Hypothesis term, Hypothesis.Start start, List<PartialledOut.Rest> columns, double gain) {}
-
-    /**
      * Proposals, most worth first, no two of the same kinds of terms.
      *
      * @param most terms of each at most
@@ -86,23 +73,22 @@ final class Sentences {
      */
     List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, Optional<Hypothesis>> variant) {
         likely.clear();
-        List<Column> columns = new ArrayList<>();
-        List<Column> firsts = new ArrayList<>();
-        Parallel.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
-                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(Effort.NEXT_TERMS)
-                .forEach(starts -> {
-                    firsts.add(starts.get(0));
-                    columns.addAll(starts);   // beside another term a term may begin elsewhere
-                    likely.add(starts.get(0).term());
-                });
+        List<TermColumns.Column> all = new ArrayList<>();
+        List<TermColumns.Column> firsts = new ArrayList<>();
+        columns.likeliest(terms).forEach(starts -> {
+            firsts.add(starts.get(0));
+            all.addAll(starts);   // beside another term a term may begin elsewhere
+            likely.add(starts.get(0).term());
+        });
         List<Proposal> out = new ArrayList<>(firsts.stream().skip(Effort.FIRST_TERMS).map(first -> proposal(List.of(first))).toList());
-        for (Column first : Parallel.map(firsts.subList(0, Math.min(Effort.FIRST_TERMS, firsts.size())),
-                first -> varied(refined(first), variant))) {
-            List<Column> chosen = new ArrayList<>(List.of(first));
+        for (TermColumns.Column first : Parallel.map(firsts.subList(0, Math.min(Effort.FIRST_TERMS, firsts.size())),
+                first -> columns.varied(columns.refined(first), variant))) {
+            List<TermColumns.Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen));
             while (chosen.size() < most) {
-                Column found = columns.stream().filter(column -> chosen.stream().noneMatch(known -> known.term() == column.term()))
-                        .max(Comparator.comparingDouble(column -> gain(with(chosen, column)))).orElse(first);
+                TermColumns.Column found = all.stream()
+                        .filter(column -> chosen.stream().noneMatch(known -> known.term() == column.term()))
+                        .max(Comparator.comparingDouble(column -> columns.gain(with(chosen, column)))).orElse(first);
                 if (found == first) {
                     break;
                 }
@@ -120,88 +106,19 @@ final class Sentences {
         return List.copyOf(likely);
     }
 
-    /** A term at each of its starts, the one that gains most first. */
-    private List<Column> columns(Hypothesis term) {
-        List<Column> out = new ArrayList<>();
-        for (Hypothesis.Start start : term.starts()) {
-            column(term, start).ifPresent(out::add);
-        }
-        out.sort(Comparator.comparingDouble(Column::gain).reversed());
-        return out;
-    }
-
-    private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
-        List<PartialledOut.Rest> rests = start.columns().stream()
-                .map(column -> screening.left().of(screening.direction(term, state.candidate().with(term),
-                        only(start, column))))
-                .toList();
-        if (rests.stream().anyMatch(PartialledOut.Rest::isOld)) {
-            return Optional.empty();
-        }
-        return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
-    }
-
-    /** A term, or the form of it that gains more. */
-    private Column varied(Column column, Function<Hypothesis, Optional<Hypothesis>> variant) {
-        return Stream.concat(Stream.of(column), variant.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
-                .max(Comparator.comparingDouble(Column::gain)).orElseThrow();
-    }
-
-    /** A term whose last number, a frequency, a moment or a knee, is moved from its start to where it gains most. */
-    private Column refined(Column column) {
-        double[] starts = column.term().starts().stream().mapToDouble(start -> start.values()[start.values().length - 1]).sorted()
-                .toArray();
-        if (starts.length < 2) {
-            return column;
-        }
-        Column best = column;
-        double reach = (starts[starts.length - 1] - starts[0]) / (starts.length - 1);
-        for (int round = 0; round < ROUNDS; round++, reach /= 2) {
-            for (double by : new double[] {-reach / 2, reach / 2}) {
-                double[] values = best.start().values().clone();
-                values[values.length - 1] += by;
-                Hypothesis.Start there = new Hypothesis.Start(values, best.start().columns());
-                Hypothesis term = column.term();
-                Hypothesis.Number number = term.numbers().get(values.length - 1);
-                if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
-                    Column known = best;
-                    best = column(term, there).filter(tried -> tried.gain() > known.gain()).orElse(known);
-                }
-            }
-        }
-        return best;
-    }
-
-    private static double[] only(Hypothesis.Start start, int[] column) {
-        double[] values = start.values().clone();
-        start.columns().stream().filter(other -> other != column).forEach(other -> Arrays.stream(other).forEach(i -> values[i] = 0));
-        return values;
-    }
-
-    private static List<Column> with(List<Column> chosen, Column more) {
-        List<Column> out = new ArrayList<>(chosen);
+    private static List<TermColumns.Column> with(List<TermColumns.Column> chosen, TermColumns.Column more) {
+        List<TermColumns.Column> out = new ArrayList<>(chosen);
         out.add(more);
         return out;
     }
 
-    private double gain(List<Column> chosen) {
-        List<PartialledOut.Rest> rests = rests(chosen);
-        return PartialledOut.combined(rests, new double[rests.size()]);
-    }
-
-    private List<PartialledOut.Rest> rests(List<Column> chosen) {
-        List<PartialledOut.Rest> out = new ArrayList<>(linear);
-        chosen.forEach(column -> out.addAll(column.columns()));
-        return out;
-    }
-
-    private Proposal proposal(List<Column> chosen) {
-        List<PartialledOut.Rest> rests = rests(chosen);
+    private Proposal proposal(List<TermColumns.Column> chosen) {
+        List<PartialledOut.Rest> rests = columns.rests(chosen);
         double[] strength = new double[rests.size()];
         double gain = PartialledOut.combined(rests, strength);
         List<double[]> values = new ArrayList<>();
-        int next = linear.size();
-        for (Column column : chosen) {
+        int next = TermColumns.LINEAR;
+        for (TermColumns.Column column : chosen) {
             double[] own = column.start().values().clone();
             for (int[] group : column.start().columns()) {
                 for (int i : group) {
@@ -211,7 +128,7 @@ final class Sentences {
             }
             values.add(own);
         }
-        List<Hypothesis> terms = chosen.stream().map(Column::term).toList();
+        List<Hypothesis> terms = chosen.stream().map(TermColumns.Column::term).toList();
         double degrees = state.frame().whitening().degrees();
         double left = (state.square() - gain) / degrees;
         return new Proposal(terms, values, strength[0], strength[1],

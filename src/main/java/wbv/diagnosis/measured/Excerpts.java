@@ -30,12 +30,14 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
      * holds some 2.5 kB of each, derivatives to all numbers included: a third of a gigabyte.
      */
     private static final int READINGS = 1 << 17;
+    /** A recording is judged whole that is no longer than so many times that: pieces lose what follows their beginnings. */
+    private static final double WHOLE = 1.5;
     /** Pieces at most: a change through the recording is seen at as many moments. */
     private static final int MOST = 12;
 
     /**
-     * Pieces of a recording; empty where it is no longer than they would be, or has to be judged in one, since something in it goes on as
-     * it was sent.
+     * Pieces of a recording; empty where it is hardly longer than they would be, or has to be judged in one, since something in it goes on
+     * as it was sent.
      *
      * @param provedFrom see {@link wbv.diagnosis.Question#provedFrom}
      */
@@ -46,10 +48,12 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
     static Optional<Excerpts> of(Model model, Recording recording, OptionalDouble provedFrom, int readings) {
         double rate = recording.clock().rate();
         double judged = model.isRig() ? rate : Math.min(rate, SitterRate.USUAL);
-        double budget = rate / judged * readings / Math.max(1, model.outputs().size());
+        // Where forces may take other ways than a model's, beside a simulation, a fit holds twice as much.
+        int series = Math.max(1, model.outputs().size() + Measured.beside(model).size());
+        double budget = rate / judged * readings / series;
         int pause = (int) Math.max(Dropouts.BRIDGED + 1, Math.min(recording.length(), Math.ceil(Unseen.settling(model) * rate)));
         int pieces = (int) Math.min(MOST, budget * Unseen.MOST_SETTLING / pause);
-        if (recording.length() <= budget || pieces < 2) {
+        if (recording.length() <= WHOLE * budget || pieces < 2) {
             return Optional.empty();
         }
         int length = (int) (budget / pieces) - pause;

@@ -4,8 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -232,5 +236,12 @@ public final class Measured {
     public static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+
+    /** Channels that hold what a simulation gave beside a model, which move its sensors and nobody measured. */
+    public static Set<Channel> beside(Model model) {
+        return Stream.concat(model.bodies().stream().map(Model.Body::faults), model.sensors().stream().map(Model.Sensor::faults))
+                .flatMap(List::stream).filter(SensorFault.Beside.class::isInstance).map(fault -> ((SensorFault.Beside) fault).channel())
+                .collect(Collectors.toSet());
     }
 }

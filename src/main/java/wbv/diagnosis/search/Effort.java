@@ -32,6 +32,8 @@ public final class Effort {
     public static final int FIRST_TERMS = 8;
     /** Terms that may stand beside another. */
     public static final int NEXT_TERMS = 160;
+    /** Numbers that are kept of what these do: a quarter of a gigabyte, which two minutes of a sitter do not fill. */
+    public static final int NUMBERS = 1 << 25;
     /**
      * Terms that are begun where the model went far to make up for the law, where the first order tells little: of five laws made by
      * another place the right one came second to 125th along the motion as measured, and of the three that were begun among the first five

@@ -49,13 +49,13 @@ record Overlap(int first, int skipped, int length) {
         return new Overlap(first, skipped, length);
     }
 
-    /** The part of the recording. */
+    /** The part of the recording; itself where that is all of it. */
     Recording ofRecording(Recording recording) {
-        return recording.part(first, first + length);
+        return length == recording.length() ? recording : recording.part(first, first + length);
     }
 
-    /** The part of the simulation, on its own clock. */
+    /** The part of the simulation, on its own clock; itself where that is all of it. */
     Recording ofSimulation(Recording simulation) {
-        return simulation.part(skipped, skipped + length);
+        return length == simulation.length() ? simulation : simulation.part(skipped, skipped + length);
     }
 }
