@@ -3,6 +3,7 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -77,7 +78,7 @@ final class Diagnose implements Callable<Integer> {
             description = "what the simulation is one of, or the model in place of what it says itself: a person, who is taken at 60 Hz "
                     + "at most and may move by himself, or a rig, at the rate that was recorded (of a simulation: a person if a place on a "
                     + "seat or a sitter is among its channels)")
-    private Optional<Model.Subject> subject = Optional.empty();
+    private Optional<String> subject = Optional.empty();
 
     @Option(names = "--mass", paramLabel = "KG", description = "without --model: the mass of all that the simulation's input moves, to "
             + "which forces that are found are in proportion (55 kg)")
@@ -162,7 +163,12 @@ final class Diagnose implements Callable<Integer> {
     }
 
     private Model declared(Model read) {
-        return subject.map(read::declaredAs).orElse(read);
+        return kind().map(read::declaredAs).orElse(read);
+    }
+
+    private Optional<Model.Subject> kind() {
+        return subject.map(word -> Arrays.stream(Model.Subject.values()).filter(each -> each.word().equals(word)).findFirst()
+                .orElseThrow(() -> wrong("--subject must be person or rig: " + word)));
     }
 
     /** The recording, those beside it and the one that proves. */
@@ -226,12 +232,12 @@ final class Diagnose implements Callable<Integer> {
         Surrogate.Examined examined;
         if (FmuSimulation.isNamed(file.toString())) {
             try (FmuSimulation unit = variables.open(file, loaded)) {
-                examined = new HeldUnit(unit, file.toString(), subject, weight, loaded, known, recording.map().isPresent()).examined(driver,
+                examined = new HeldUnit(unit, file.toString(), kind(), weight, loaded, known, recording.map().isPresent()).examined(driver,
                         folder, notes, bar::at);
             }
         } else {
             examined = Surrogate.examine(loaded,
-                    new Simulated(new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), subject, weight), known,
+                    new Simulated(new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), kind(), weight), known,
                     recording.map().isPresent(), bar::at);
         }
         AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));

@@ -180,7 +180,7 @@ public final class Locator {
      * What the places at which a mismatch enters leave at most, as a mean square of the whitened residual.
      *
      * @param base with all of the mismatch
-     * @param times what places scatter by
+     * @param times of what places scatter by [1]
      */
     public static double scatter(Fitter.State base, double times) {
         return 1 + times * Priors.SCATTER * (base.reduced() - 1);
