@@ -147,7 +147,7 @@ final class ChainArrangements {
         return Stream.concat(known.stream(), Stream.of(more)).toList();
     }
 
-    private static Model.Body body(String name, double mass, Optional<Channel> sensor) {
+    static Model.Body body(String name, double mass, Optional<Channel> sensor) {
         return new Model.Body(name, mass, sensor, List.of(), Optional.empty(), List.of());
     }
 
@@ -156,7 +156,7 @@ final class ChainArrangements {
         return link(from, to, suspension.stiffness(), suspension.damping());
     }
 
-    private static Model.Link link(String from, String to, double stiffness, double damping) {
+    static Model.Link link(String from, String to, double stiffness, double damping) {
         return new Model.Link(from, to, stiffness, damping, Optional.empty(), List.of(), List.of());
     }
 

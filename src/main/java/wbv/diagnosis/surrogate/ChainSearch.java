@@ -32,11 +32,10 @@ final class ChainSearch {
 
     private final Recording driven;
     private final Recording part;
-    private final int measured;
+    private final Channel input;
+    private final List<Channel> outputs;
     private final ChainArrangements arrangements;
     private final ChainFit fit;
-    /** As the motion says, where it says anything. */
-    private final Optional<Model> read;
 
     /**
      * Of what was simulated.
@@ -47,10 +46,10 @@ final class ChainSearch {
     ChainSearch(Recording driven, Channel input, List<Channel> outputs, Model.Subject subject) {
         this.driven = loudest(driven, input, MOST);
         part = loudest(driven, input, (int) Math.max(PART * driven.clock().rate(), FEWEST));
-        measured = outputs.size();
+        this.input = input;
+        this.outputs = outputs;
         arrangements = new ChainArrangements(input,
                 outputs.stream().sorted(Comparator.comparingInt(output -> Segment.order(output.location()))).toList());
-        read = ReadChain.of(part, input, outputs);
         // What was computed has no noise; one that is small beside every output lets all of them count.
         double faintest = outputs.stream().mapToDouble(output -> Missed.deviation(driven.values(output), 0)).min().orElseThrow();
         fit = new ChainFit(FittedNet.GOOD * faintest, subject);
@@ -71,6 +70,7 @@ final class ChainSearch {
 
     /** The measured bodies alone, fitted as their motion says that they hang together, or in a chain in their usual order. */
     FittedChain plain() {
+        Optional<Model> read = ReadChain.of(part, input, outputs);
         return read.map(this::tried).filter(chain -> chain.worst() <= FittedNet.GOOD)
                 .orElseGet(() -> nearest(tried(arrangements.plain()), read.stream().toList()));
     }
@@ -94,7 +94,7 @@ final class ChainSearch {
     private FittedChain net(FittedChain plain, BiConsumer<String, Double> progress) {
         FittedChain chain = plain.worst() > FittedNet.GOOD ? nearest(plain, arrangements.startedElsewhere()) : plain;
         FittedChain usual = enriched(chain, progress);
-        boolean mayBeReordered = usual.worst() > POOR && measured > 1 && measured <= MOST_ORDERED;
+        boolean mayBeReordered = usual.worst() > POOR && outputs.size() > 1 && outputs.size() <= MOST_ORDERED;
         FittedChain other = mayBeReordered ? nearest(usual, arrangements.reordered()) : usual;
         return other == usual ? usual : enriched(other, progress);
     }

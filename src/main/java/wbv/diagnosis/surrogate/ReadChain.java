@@ -174,9 +174,7 @@ final class ReadChain {
     private record Tree(ReadChain read, double[] masses, List<int[]> links) {
         Model model(Channel input, List<Channel> outputs) {
             List<Model.Body> bodies = IntStream.range(0, outputs.size()).mapToObj(
-                    i -> new Model.Body(outputs.get(i).location(), masses[i + 1], Optional.of(outputs.get(i)), List.of(), Optional.empty(),
-                            List.of()))
-                    .toList();
+                    i -> ChainArrangements.body(outputs.get(i).location(), masses[i + 1], Optional.of(outputs.get(i)))).toList();
             return new Model("surrogate", Optional.empty(), input.axis(), new Model.Base(input.location(), Optional.of(input)), bodies,
                     links.stream().map(link -> link(link, input, outputs)).toList());
         }
@@ -185,8 +183,8 @@ final class ReadChain {
             double mass = masses[ends[1]];
             double stiffness = mass * read.carried[ends[1]][ends[0]][0];
             double damping = Math.max(mass * read.carried[ends[1]][ends[0]][1], 2 * LEAST_RATIO * Math.sqrt(stiffness * mass));
-            return new Model.Link(ends[0] == 0 ? input.location() : outputs.get(ends[0] - 1).location(),
-                    outputs.get(ends[1] - 1).location(), stiffness, damping, Optional.empty(), List.of(), List.of());
+            return ChainArrangements.link(ends[0] == 0 ? input.location() : outputs.get(ends[0] - 1).location(),
+                    outputs.get(ends[1] - 1).location(), stiffness, damping);
         }
     }
 
