@@ -18,8 +18,10 @@ final class Heats {
     private final Evidence evidence;
     private final Refinement refinement;
     private final Fitter fitter;
+    private final StrongStarts strong;
 
-    Heats(Evidence evidence, Refinement refinement, Fitter fitter) {
+    Heats(Evidence evidence, Refinement refinement, Fitter fitter, StrongStarts strong) {
+        this.strong = strong;
         this.evidence = evidence;
         this.refinement = refinement;
         this.fitter = fitter;
@@ -41,13 +43,14 @@ final class Heats {
         Function<Hypothesis, List<double[]>> from = from(base, where);
         Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
-        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
+        boolean bent = Refinement.bent(base);
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from, false);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < Priors.UNLISTED * Refinement.excess(base.reduced());
         if (promising) {
             goOn(base, heat);
         }
         if (!promising || !clean(base, heat.get(0))) {
-            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from, bent));
             goOn(base, heat);
         }
         int finalists = near(heat, second ? Effort.FINALISTS / 2 : Effort.FINALISTS);
@@ -89,14 +92,19 @@ final class Heats {
         return hypothesis.isLate() || evidence.model().driven() ? Integer.MAX_VALUE : 1;
     }
 
-    /** The first steps of each, least cost first. */
+    /**
+     * The first steps of each, least cost first.
+     *
+     * @param bent whether what they stand on makes up for them
+     */
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
-            Function<Hypothesis, List<double[]>> from) {
+            Function<Hypothesis, List<double[]>> from, boolean bent) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
-                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()));
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()),
+                            bent ? strong.of(score.hypothesis()) : List.of());
         }));
         out.sort(LEAST);
         return out;

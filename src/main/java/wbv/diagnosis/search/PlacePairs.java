@@ -45,28 +45,50 @@ final class PlacePairs {
         double good = reach(places, base);
         List<Known.Ignoring> near = near(places, base);
         List<Fitter.State> found = new ArrayList<>();
-        // The better of two places stands first, often beside several others that outputs do not tell apart.
-        Set<Place> tried = new HashSet<>();
-        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(Effort.SECONDS).toList()) {
-            if (!tried.add(one)) {
-                continue;
-            }
-            List<Fitter.State> seconds = shown(base, one, partners(one, near));
-            if (!seconds.isEmpty()) {
-                Place other = Place.ofLast(seconds.get(0));
-                Map<Place, double[]> firsts = partners(other, near);
-                tried.addAll(firsts.keySet());
-                found.addAll(joined(base, shown(base, other, firsts), seconds, leaders));
+        Set<Set<Place>> tried = new HashSet<>();
+        for (Beside beside : besides(base, near, good)) {
+            Place other = Place.ofLast(beside.seconds().get(0));
+            if ((found.isEmpty() || found.get(0).reduced() >= good) && tried.add(Set.of(beside.ignored(), other))) {
+                found.addAll(joined(base, shown(base, other, partners(other, near)), beside.seconds(), leaders));
                 if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
-                    onTop(seconds.get(0), one).ifPresent(found::add);
+                    onTop(beside.seconds().get(0), beside.ignored()).ifPresent(found::add);
                 }
-            }
-            found.sort(Comparator.comparingDouble(Fitter.State::reduced));
-            if (!found.isEmpty() && found.get(0).reduced() < good) {
-                break;
+                found.sort(Comparator.comparingDouble(Fitter.State::reduced));
             }
         }
         return found.stream().findFirst();
+    }
+
+    /**
+     * What shows beside a place that is ignored.
+     *
+     * @param seconds the best mechanism first, at least one
+     */
+    private record Beside(Place ignored, List<Fitter.State> seconds) {
+
+        double left() {
+            return seconds.get(0).reduced();
+        }
+    }
+
+    /**
+     * What shows beside the first of each pair: of several first places that outputs do not tell apart only one need be that beside which a
+     * mechanism explains the rest. No more of them than it takes to find one that leaves next to nothing.
+     *
+     * @param good what counts as that
+     * @return those that leave least, least first
+     */
+    private List<Beside> besides(Fitter.State base, List<Known.Ignoring> near, double good) {
+        List<Beside> out = new ArrayList<>();
+        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(Effort.PLACES).toList()) {
+            if (out.stream().noneMatch(beside -> beside.left() < good)) {
+                List<Fitter.State> seconds = shown(base, one, partners(one, near));
+                if (!seconds.isEmpty()) {
+                    out.add(new Beside(one, seconds));
+                }
+            }
+        }
+        return out.stream().sorted(Comparator.comparingDouble(Beside::left)).limit(Effort.SECONDS).toList();
     }
 
     /** Pairs of places that leave about as little as the best. */

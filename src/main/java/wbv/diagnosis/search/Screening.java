@@ -152,7 +152,7 @@ public final class Screening {
      * @param values by number, in its unit. Not modified.
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink)) {
+        if (isInLink(hypothesis)) {
             int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
             return seen(linear.answer(link, force(hypothesis, link, values)));
         }
@@ -166,6 +166,23 @@ public final class Screening {
             }
         }
         return seen(difference);
+    }
+
+    /** Whether a hypothesis is laws in a link that are not linear. */
+    static boolean isInLink(Hypothesis hypothesis) {
+        return hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink);
+    }
+
+    /**
+     * What the laws of a hypothesis carry over what the model carries in their link, root mean squares along the motion [1].
+     *
+     * @param hypothesis that is laws in a link
+     * @param values by number, in its unit. Not modified.
+     */
+    double share(Hypothesis hypothesis, double[] values) {
+        int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
+        double[] own = motion.load(link);
+        return Motion.rms(force(hypothesis, link, values), own.length) / Motion.rms(own, own.length);
     }
 
     /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */

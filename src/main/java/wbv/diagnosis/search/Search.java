@@ -122,10 +122,11 @@ public final class Search {
         List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
         // In no form twice at one place.
         Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
-        List<Screening.Score> scores = new Screening(evidence, base, motion)
+        Screening screening = new Screening(evidence, base, motion);
+        List<Screening.Score> scores = screening
                 .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where);
+        List<Fitter.State> fits = new Heats(evidence, refinement, fitter, new StrongStarts(screening)).refit(base, scores, where);
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
         double reach = fits.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(fits.get(0).reduced());
         List<Fitter.State> ahead = fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).toList();

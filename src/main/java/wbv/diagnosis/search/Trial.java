@@ -37,8 +37,9 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
      * @param most starts that are begun from each of them
+     * @param strong values of the hypothesis of which the best is begun as well from each of them
      */
-    static Trial begun(Ground ground, Screening.Score score, List<double[]> from, int most) {
+    static Trial begun(Ground ground, Screening.Score score, List<double[]> from, int most, List<double[]> strong) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
@@ -49,19 +50,24 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        List<Fitter.State> begun = sorted(from.stream().flatMap(numbers -> begun(ground, score, starts, numbers, most)).toList());
+        List<double[]> large = strong.stream().map(values -> base.candidate().extended(base.x(), with, score.hypothesis(), values))
+                .toList();
+        List<Fitter.State> begun = sorted(from.stream().flatMap(numbers -> Stream.concat(
+                begun(ground, score, starts, numbers, most, Arrays.equals(numbers, base.x())),
+                large.isEmpty() ? Stream.of() : begun(ground, score, large, numbers, 1, false))).toList());
         return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 
-    private static Stream<Fitter.State> begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers, int most) {
+    /** @param near whether the starts are so near to what was fitted that its derivatives lead from there */
+    private static Stream<Fitter.State> begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers, int most,
+            boolean near) {
         Fitter.State base = ground.base();
         List<double[]> own = starts.stream().map(double[]::clone).toList();
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
-        boolean fitted = Arrays.equals(numbers, base.x());
-        double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
-        int steps = score.hypothesis().runsFree() ? 1 : fitted ? 2 : Effort.OWN_STEPS;
+        double without = near ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
+        int steps = score.hypothesis().runsFree() ? 1 : near ? 2 : Effort.OWN_STEPS;
         return best(ground, score.candidate(), own, without).stream().limit(most)
-                .map(first -> fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ROUGH)
+                .map(first -> near ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ROUGH)
                         : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, Effort.ROUGH));
     }
 
