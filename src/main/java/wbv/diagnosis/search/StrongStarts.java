@@ -1,0 +1,59 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * Laws about as strong as the link that they act in, to start from. Screening sees a law as it would be if it were weak, beside a model that
+ * has bent itself to make up for it: of a strong one that tells neither the size nor, at times, the sign.
+ */
+final class StrongStarts {
+
+    /** Force of a law over what the model carries in its link, root mean squares [1]. */
+    private static final double[] SHARES = {-2, -0.5, 0.5, 2};
+
+    private final Screening screening;
+
+    /**
+     * Along the motion at a fit.
+     *
+     * @param screening at that fit
+     */
+    StrongStarts(Screening screening) {
+        this.screening = screening;
+    }
+
+    /** Values of a hypothesis, each in its unit; none where no law has a size that can be chosen. */
+    List<double[]> of(Hypothesis hypothesis) {
+        List<double[]> out = new ArrayList<>();
+        for (Hypothesis.Start start : hypothesis.starts()) {
+            if (!Screening.isInLink(hypothesis) || start.columns().isEmpty()) {
+                continue;
+            }
+            double each = screening.share(hypothesis, sized(hypothesis, start, 1));
+            Arrays.stream(SHARES).mapToObj(share -> sized(hypothesis, start, share / each)).filter(values -> canBe(hypothesis, values))
+                    .forEach(out::add);
+        }
+        return out;
+    }
+
+    /** A start whose amplitudes are a factor times what they are looked at with to first order. */
+    private static double[] sized(Hypothesis hypothesis, Hypothesis.Start start, double factor) {
+        double[] values = start.values().clone();
+        start.columns().stream().flatMapToInt(Arrays::stream)
+                .forEach(i -> values[i] = hypothesis.numbers().get(i).nothing() + factor * start.sizes()[i]);
+        return values;
+    }
+
+    private static boolean canBe(Hypothesis hypothesis, double[] values) {
+        for (int i = 0; i < values.length; i++) {
+            Hypothesis.Number number = hypothesis.numbers().get(i);
+            if (!(values[i] >= number.low() && values[i] <= number.high())) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
