@@ -52,9 +52,9 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         }
         List<double[]> large = strong.stream().map(values -> base.candidate().extended(base.x(), with, score.hypothesis(), values))
                 .toList();
-        List<Fitter.State> begun = sorted(from.stream().flatMap(numbers -> Stream.concat(
-                begun(ground, score, starts, numbers, most, Arrays.equals(numbers, base.x())),
-                large.isEmpty() ? Stream.of() : begun(ground, score, large, numbers, 1, false))).toList());
+        List<Fitter.State> begun = sorted(Stream.concat(
+                from.stream().flatMap(numbers -> begun(ground, score, starts, numbers, most, Arrays.equals(numbers, base.x()))),
+                large.isEmpty() ? Stream.of() : begun(ground, score, large, from.get(from.size() - 1), 1, false)).toList());
         return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 
