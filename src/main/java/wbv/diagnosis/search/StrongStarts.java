@@ -6,12 +6,12 @@ import java.util.List;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * Laws about as strong as the link that they act in, to start from. Screening sees a law as it would be if it were weak, beside a model that
- * has bent itself to make up for it: of a strong one that tells neither the size nor, at times, the sign.
+ * Laws about as strong as the link that they act in, to start from. Screening sees a law as it would be if it were weak, beside a model
+ * that has bent itself to make up for it: of a strong one that tells neither the size nor, at times, the sign.
  */
 final class StrongStarts {
 
-    /** Force of a law over what the model carries in its link, root mean squares [1]. */
+    /** Force of a law over what the model carries in its link, root mean squares [1]: from where fits reach what lies between and beyond. */
     private static final double[] SHARES = {-2, -0.5, 0.5, 2};
 
     private final Screening screening;

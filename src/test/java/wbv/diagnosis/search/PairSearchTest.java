@@ -59,6 +59,22 @@ class PairSearchTest {
                 new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));
     }
 
+    /** Of two outputs one has a wrong gain; the model has bent itself for a spring six times as stiff in compression. */
+    @Tag("exam")
+    @Test
+    void aLawStrongerThanItsSpringIsFoundBesideAFalseGain() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("strong", List.of("stiffness.asymmetric", "sensor.gain"), 1, Setting.FIELD, false,
+                5354934170498379370L));
+    }
+
+    /** What enters at the head, its sensor or its neck looks alike beside a second place; the rotation shows beside the neck alone. */
+    @Tag("exam")
+    @Test
+    void ofPlacesThatLookAlikeTheOneIsTakenBesideWhichAMechanismShows() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("alike", List.of("coupling.rotation", "muscle.reflex"), 1, Setting.ROTATION, false,
+                8505340972418430530L));
+    }
+
     static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
         allIsNamed(folder, new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
     }
