@@ -11,7 +11,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 final class StrongStarts {
 
-    /** Force of a law over what the model carries in its link, root mean squares [1]: from where fits reach what lies between and beyond. */
+    /** Force of a law over what the model carries in its link, root mean squares [1]: fits reach what lies between and beyond. */
     private static final double[] SHARES = {-2, -0.5, 0.5, 2};
 
     private final Screening screening;
