@@ -1,8 +1,8 @@
 package wbv.diagnosis.search;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -27,16 +27,13 @@ final class StrongStarts {
 
     /** Values of a hypothesis, each in its unit; none where no law has a size that can be chosen. */
     List<double[]> of(Hypothesis hypothesis) {
-        List<double[]> out = new ArrayList<>();
-        for (Hypothesis.Start start : hypothesis.starts()) {
-            if (!Screening.isInLink(hypothesis) || start.columns().isEmpty()) {
-                continue;
-            }
-            double each = screening.share(hypothesis, sized(hypothesis, start, 1));
-            Arrays.stream(SHARES).mapToObj(share -> sized(hypothesis, start, share / each)).filter(values -> canBe(hypothesis, values))
-                    .forEach(out::add);
-        }
-        return out;
+        return !Screening.isInLink(hypothesis) ? List.of()
+                : hypothesis.starts().stream().filter(start -> !start.columns().isEmpty()).flatMap(start -> of(hypothesis, start)).toList();
+    }
+
+    private Stream<double[]> of(Hypothesis hypothesis, Hypothesis.Start start) {
+        double each = screening.share(hypothesis, sized(hypothesis, start, 1));
+        return Arrays.stream(SHARES).mapToObj(share -> sized(hypothesis, start, share / each)).filter(values -> canBe(hypothesis, values));
     }
 
     /** A start whose amplitudes are a factor times what they are looked at with to first order. */

@@ -37,7 +37,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
      * @param most starts that are begun from each of them
-     * @param strong values of the hypothesis of which the best is begun as well from each of them
+     * @param strong values of the hypothesis, in their units, of which the best is begun as well, from the last of those numbers
      */
     static Trial begun(Ground ground, Screening.Score score, List<double[]> from, int most, List<double[]> strong) {
         Fitter.State base = ground.base();
