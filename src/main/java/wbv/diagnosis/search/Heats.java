@@ -40,10 +40,10 @@ final class Heats {
         // Where the first mechanism leaves much, the second is as large as any first.
         boolean second = !base.candidate().added().isEmpty() && base.reduced() < Priors.GLARING;
         List<Screening.Score> chosen = new Shortlist(evidence).of(base, scores, second);
-        Function<Hypothesis, List<double[]>> from = from(base, where);
+        boolean bent = Refinement.bent(base);
+        Function<Hypothesis, List<double[]>> from = from(base, where, bent);
         Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
-        boolean bent = Refinement.bent(base);
         List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from, false);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < Priors.UNLISTED * Refinement.excess(base.reduced());
         if (promising) {
@@ -79,8 +79,7 @@ final class Heats {
     }
 
     /** Numbers of the model to start from. */
-    private static Function<Hypothesis, List<double[]>> from(Fitter.State base, Whereabouts where) {
-        boolean bent = Refinement.bent(base);
+    private static Function<Hypothesis, List<double[]>> from(Fitter.State base, Whereabouts where, boolean bent) {
         return h -> bent ? List.of(base.x(), where.unbent(h).orElseGet(base.candidate()::start)) : List.of(base.x());
     }
 

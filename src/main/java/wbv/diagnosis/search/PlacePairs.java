@@ -48,7 +48,7 @@ final class PlacePairs {
         Set<Set<Place>> tried = new HashSet<>();
         for (Beside beside : besides(base, near, good)) {
             Place other = Place.ofLast(beside.seconds().get(0));
-            if ((found.isEmpty() || found.get(0).reduced() >= good) && tried.add(Set.of(beside.ignored(), other))) {
+            if ((found.isEmpty() || found.get(0).reduced() >= good) && tried.add(Set.copyOf(List.of(beside.ignored(), other)))) {
                 found.addAll(joined(base, shown(base, other, partners(other, near)), beside.seconds(), leaders));
                 if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
                     onTop(beside.seconds().get(0), beside.ignored()).ifPresent(found::add);

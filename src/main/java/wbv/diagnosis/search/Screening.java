@@ -107,20 +107,17 @@ public final class Screening {
         boolean amplitude = !start.columns().isEmpty();
         List<double[]> directions = new ArrayList<>();
         if (amplitude) {
-            for (int[] column : start.columns()) {
-                directions.add(direction(hypothesis, with, only(hypothesis, start, column)));
+            for (int c = 0; c < start.columns().size(); c++) {
+                double[] only = new double[start.columns().size()];
+                only[c] = 1;
+                directions.add(direction(hypothesis, with, sized(hypothesis, start, only)));
             }
         } else {
             directions.add(direction(hypothesis, with, start.values()));
         }
         double[] strength = new double[directions.size()];
         double gain = project(directions, strength);
-        double[] values = start.values().clone();
-        for (int c = 0; c < start.columns().size(); c++) {
-            for (int i : start.columns().get(c)) {
-                values[i] = hypothesis.numbers().get(i).nothing() + strength[c] * start.sizes()[i];
-            }
-        }
+        double[] values = sized(hypothesis, start, strength);
         boolean impossible = !amplitude && strength[0] < 0;
         for (int c = 0; c < start.columns().size(); c++) {
             for (int i : start.columns().get(c)) {
@@ -134,13 +131,16 @@ public final class Screening {
         return new Score(hypothesis, with, gain, state.candidate().extended(state.x(), with, hypothesis, values));
     }
 
-    /** The start's values with every amplitude but one column's at nothing. */
-    private static double[] only(Hypothesis hypothesis, Hypothesis.Start start, int[] column) {
+    /**
+     * A start with its amplitudes so many times what they are looked at with.
+     *
+     * @param strength by column [1]; of a start without columns nothing changes. Not modified.
+     */
+    static double[] sized(Hypothesis hypothesis, Hypothesis.Start start, double[] strength) {
         double[] values = start.values().clone();
-        for (int[] other : start.columns()) {
-            for (int i : other) {
-                boolean mine = Arrays.stream(column).anyMatch(k -> k == i);
-                values[i] = hypothesis.numbers().get(i).nothing() + (mine ? start.sizes()[i] : 0);
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                values[i] = hypothesis.numbers().get(i).nothing() + strength[c] * start.sizes()[i];
             }
         }
         return values;

@@ -36,12 +36,10 @@ final class StrongStarts {
         return Arrays.stream(SHARES).mapToObj(share -> sized(hypothesis, start, share / each)).filter(values -> canBe(hypothesis, values));
     }
 
-    /** A start whose amplitudes are a factor times what they are looked at with to first order. */
     private static double[] sized(Hypothesis hypothesis, Hypothesis.Start start, double factor) {
-        double[] values = start.values().clone();
-        start.columns().stream().flatMapToInt(Arrays::stream)
-                .forEach(i -> values[i] = hypothesis.numbers().get(i).nothing() + factor * start.sizes()[i]);
-        return values;
+        double[] all = new double[start.columns().size()];
+        Arrays.fill(all, factor);
+        return Screening.sized(hypothesis, start, all);
     }
 
     private static boolean canBe(Hypothesis hypothesis, double[] values) {
