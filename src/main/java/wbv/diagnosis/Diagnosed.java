@@ -72,6 +72,13 @@ public final class Diagnosed {
         return place.kind().equals(Place.Kind.BODY.word());
     }
 
+    /** Whether it names a push and nothing else. */
+    boolean isPush() {
+        return !isNear() && !diagnosis.missing().isEmpty()
+                && diagnosis.missing().stream().flatMap(one -> evidence.library().of(one.mechanism()).stream())
+                        .allMatch(one -> one.family() == Family.FORCE);
+    }
+
     /** Whether it names a push and a mechanism beside it. */
     boolean namesBesidePush() {
         List<Mechanism> named = diagnosis.missing().stream().flatMap(one -> evidence.library().of(one.mechanism()).stream()).toList();

@@ -107,7 +107,7 @@ public final class Diagnoser {
 
     private Diagnosed run() {
         double heldOut = inquiry.heldOut(base);
-        boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.bodyForce().isPresent();
+        boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.acting().any();
         boolean louderLater = !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
         boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || Math.max(base.reduced(), heldOut) > Priors.STRANGE;
         // The little that is left may be noise of an input of which nobody knows it.
@@ -129,7 +129,7 @@ public final class Diagnoser {
 
     /** The diagnosis where something is missing, if no more than a person's own force. */
     private Diagnosed searched() {
-        return evidence.bodyForce().isPresent() ? asKnown(whereabouts())
+        return evidence.acting().own().isPresent() ? asKnown(whereabouts())
                 : sittingStill().or(this::linear).orElseGet(() -> withOwnForce(whereabouts()));
     }
 
@@ -155,7 +155,7 @@ public final class Diagnoser {
     }
 
     private Optional<Diagnosed> besideWhoSitsStill(Fitter.State best, List<Fitter.State> leaders) {
-        return inquiry.left(best).filter(force -> force.ordinary(evidence)).flatMap(force -> {
+        return inquiry.own(best).flatMap(force -> {
             Inquiry knowing = inquiry.knowing(force);
             List<Fitter.State> again = knowing.again(leaders);
             return knowing.leaves(again.get(0), Priors.SILENT) ? Optional.of(Conclusion.of(knowing, again)) : Optional.empty();
@@ -195,30 +195,26 @@ public final class Diagnoser {
 
     /** The diagnosis with the force in the noise that the best hypothesis leaves, if that is a person's own. */
     private Diagnosed withForceLeft(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
-        Optional<BodyForce> rest = best.reduced() < (isForceUnknown() ? Priors.SILENT : Priors.NOISE) ? Optional.empty()
-                : inquiry.left(best);
-        return rest.filter(force -> force.ordinary(evidence)).map(force -> judged(inquiry.knowing(force), leaders))
-                .orElseGet(() -> withPush(leaders, best, rest, where));
+        boolean quiet = best.reduced() < (evidence.acting().own().isEmpty() ? Priors.SILENT : Priors.NOISE);
+        Optional<BodyForce> own = quiet ? Optional.empty() : inquiry.own(best);
+        return own.map(force -> judged(inquiry.knowing(force), leaders)).orElseGet(() -> withPush(leaders, best, where));
     }
 
     /** The diagnosis where a strong force may be all that is missing, or hide what else is. */
-    private Diagnosed withPush(List<Fitter.State> leaders, Fitter.State best, Optional<BodyForce> rest, Whereabouts where) {
+    private Diagnosed withPush(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
         boolean strong = best.reduced() > Priors.STRANGE;
         // A hidden mass looks like a push too, and so may a sitter's own force; so first they were asked for.
-        if (isForceUnknown() && strong && inquiry.isPush()) {
+        if (evidence.acting().push().isEmpty() && strong && inquiry.isPush()) {
             return Conclusion.of(inquiry, List.of());
         }
         // A strong push hides what else is missing: what shows beside it?
-        return rest.filter(push -> push.independent() && best != base && strong)
-                .flatMap(push -> beside(push, knowing -> judged(knowing, leaders))).orElseGet(() -> {
+        boolean open = best != base && strong && evidence.acting().push().isEmpty();
+        return (open ? inquiry.push(best) : Optional.<BodyForce>empty())
+                .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
-                    return found.isUnexplained() && isForceUnknown()
+                    return found.isUnexplained() && !evidence.acting().any()
                             ? where.push().flatMap(push -> beside(push, Diagnoser::run)).orElse(found) : found;
                 });
-    }
-
-    private boolean isForceUnknown() {
-        return evidence.bodyForce().isEmpty();
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {

@@ -110,10 +110,22 @@ final class Inquiry {
         return search.again(base(), fits);
     }
 
-    /** The force that a fit leaves, whatever force is known of already. */
-    Optional<BodyForce> left(Fitter.State fit) {
-        Evidence plain = evidence.withoutForce();
-        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
+    /** What a person who sits still does of what a fit leaves, whatever is known of that already. */
+    Optional<BodyForce> own(Fitter.State fit) {
+        return left(evidence.with(evidence.acting().withOwn(Optional.empty())), fit).filter(force -> force.ordinary(evidence));
+    }
+
+    /** A force of more than that of its own that a fit leaves, whatever is known of one already. */
+    Optional<BodyForce> push(Fitter.State fit) {
+        return left(withoutPush(evidence), fit).filter(force -> force.independent() && !force.ordinary(evidence));
+    }
+
+    private static Evidence withoutPush(Evidence knowing) {
+        return knowing.with(knowing.acting().withPush(Optional.empty()));
+    }
+
+    private static Optional<BodyForce> left(Evidence plain, Fitter.State fit) {
+        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()), true);
     }
 
     /**
@@ -129,15 +141,12 @@ final class Inquiry {
 
     /** A strong force of its own that is left without any mechanism. */
     Optional<BodyForce> push() {
-        return base().reduced() > Priors.STRANGE ? BodyForce.in(evidence, base()).filter(BodyForce::independent) : Optional.empty();
+        return base().reduced() > Priors.STRANGE ? BodyForce.in(evidence, base(), true).filter(BodyForce::independent) : Optional.empty();
     }
 
-    /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
+    /** Whether a push is all that is missing. */
     boolean isPush() {
-        return push().map(this::knowing)
-                .filter(knowing -> knowing.leaves(knowing.base(), Math.max(Priors.NOISE, 1 + Priors.SCATTER * (base().reduced() - 1)))
-                        && !SpectralLines.standOut(knowing.base().residual(), evidence.fit()))
-                .isPresent();
+        return push().filter(push -> Pushes.isAll(evidence, base(), push)).isPresent();
     }
 
     /**
@@ -145,8 +154,9 @@ final class Inquiry {
      * more than the push scatters by itself.
      */
     boolean isBeside(BodyForce push, Diagnosed found) {
-        double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
+        double known = found.evidence.acting().push().map(BodyForce::rms).orElse(Double.NaN);
         return found.namesBesidePush() && found.base.reduced() - 1 > Priors.SCATTER * (base().reduced() - 1)
-                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > Priors.MAJORITY * known).isPresent();
+                && left(withoutPush(found.evidence), found.chosen)
+                        .filter(force -> force.body() == push.body() && force.rms() > Priors.MAJORITY * known).isPresent();
     }
 }

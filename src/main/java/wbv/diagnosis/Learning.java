@@ -4,9 +4,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.body.Model;
+import wbv.body.Structure;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
@@ -58,7 +62,9 @@ final class Learning {
     }
 
     private Diagnosed completed(Diagnosed found, Fits fits) {
-        boolean refused = isRefused(found);
+        // A law that nobody has named passes for a push, as arbitrary as that is; one that is learned takes its place.
+        boolean pushed = found.isPush() && mayBeLaw(found, fits.base());
+        boolean refused = isRefused(found) || pushed;
         boolean doubts = !refused && LawProof.doubts(fits);
         boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         // A law in place of a name that explains nearly all differs from it by little, as a form of it does: what that may gain shows
@@ -67,7 +73,8 @@ final class Learning {
         boolean bounded = evidence.floor() < 1;
         LawLearner beside = new LawLearner(evidence, search, fits.best(), List.of());
         boolean promising = (doubts && near || lacks && !bounded) && beside.promises();
-        Optional<Learnt> law = refused || (doubts && (promising || !near)) ? law(fits, refused) : Optional.empty();
+        Optional<Learnt> law = (refused || (doubts && (promising || !near)) ? law(fits, refused) : Optional.<Learnt>empty())
+                .filter(alone -> !pushed || Pushes.isTaken(fits.base().reduced(), alone.law().fit().reduced()));
         boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
                 && law.filter(alone -> Refinement.explainsNearlyAll(fits.base(), alone.law().fit())).isPresent();
         Optional<Learnt> form = lacks && !dressed && (promising || bounded) ? form(fits, beside) : Optional.empty();
@@ -76,6 +83,17 @@ final class Learning {
                 .or(() -> form
                         .flatMap(own -> told(own, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(own))))
                 .orElse(found);
+    }
+
+    /** Whether a push acts on what stands on the base, where a law of the link below might as well. */
+    private boolean mayBeLaw(Diagnosed push, Fitter.State base) {
+        LawLearner learner = new LawLearner(evidence, search, base, List.of());
+        Structure structure = base.candidate().template().structure();
+        List<Model.Body> bodies = evidence.model().bodies();
+        return push.diagnosis().missing().stream()
+                .flatMap(named -> IntStream.range(0, bodies.size()).filter(b -> bodies.get(b).name().equals(named.where())).boxed())
+                .anyMatch(body -> IntStream.range(0, structure.links())
+                        .anyMatch(link -> structure.standsOnBase(link, body) && learner.promises(link)));
     }
 
     private LearnedVerdict told(Learnt learnt, Fits fits) {

@@ -39,7 +39,7 @@ final class Presentation {
         Evidence evidence = fits.evidence();
         Fitter.State before = scale.applied(fits.base());
         Fitter.State chosen = fit == fits.base() ? before : masses.applied(fit);
-        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(masses.factor()))).orElse(evidence);
+        Evidence seen = evidence.with(evidence.acting().scaled(masses.factor()));
         return new Diagnosed(diagnosis.apply(Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()))), fits.with(fit), seen,
                 before, chosen);
     }

@@ -4,9 +4,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Search;
 
 /** Forces that nobody measured, as what is missing. */
 final class Pushes {
@@ -28,19 +32,35 @@ final class Pushes {
             return Optional.empty();
         }
         Standing standing = grounds.standing();
-        return BodyForce.in(grounds.evidence(), grounds.base(), !named).filter(BodyForce::independent).map(force -> {
-            double p = named ? Math.max(Priors.MAJORITY, 1 - standing.explained())
-                    : force.following().isTold() ? Priors.HELD : Priors.MAJORITY;
-            List<Diagnosis.Named> rivals = standing.rivals(1 - p);
-            return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
-                    List.of(named(force, grounds.scale(), p)), rivals, List.of(), grounds.words().ending(force.carried(), 0, rivals));
-        });
+        return BodyForce.in(grounds.evidence(), grounds.base(), !named).filter(BodyForce::independent)
+                .filter(force -> isAll(grounds.evidence(), grounds.base(), force)).map(force -> {
+                    double p = named ? Math.max(Priors.MAJORITY, 1 - standing.explained())
+                            : force.following().isTold() ? Priors.HELD : Priors.MAJORITY;
+                    List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+                    return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
+                            List.of(named(force, grounds.scale(), p)), rivals, List.of(),
+                            grounds.words().ending(force.carried(), 0, rivals));
+                });
+    }
+
+    /**
+     * Whether a push is all that is missing: a model fitted beside it leaves no more than its level scatters, without tones, of data not
+     * used as well. What it carries of the mismatch of a model that bent for the lack of it says less.
+     *
+     * @param base that model, fitted without
+     */
+    static boolean isAll(Evidence evidence, Fitter.State base, BodyForce push) {
+        Evidence knowing = evidence.with(push);
+        Search search = new Search(knowing, (step, share) -> {});
+        Fitter.State left = search.base(base.candidate());
+        double most = Math.max(Priors.NOISE, 1 + Priors.SCATTER * (base.reduced() - 1));
+        return left.reduced() < most && search.refinement().heldOut(left) < most
+                && !SpectralLines.standOut(left.residual(), knowing.fit());
     }
 
     /** The force that counts as noise already, where that is more than a person makes who sits still. */
     Optional<Diagnosis.Named> beside(MassScale masses, double probability) {
-        return grounds.evidence().bodyForce().filter(push -> !push.ordinary(grounds.evidence()))
-                .map(push -> named(push, masses, probability));
+        return grounds.evidence().acting().push().map(push -> named(push, masses, probability));
     }
 
     private Diagnosis.Named named(BodyForce force, MassScale masses, double probability) {

@@ -183,7 +183,9 @@ final class VerdictWords {
                             noise.getKey()))
                     .collect(Collectors.joining(", ")) + " count as noise).";
         }
-        return evidence.bodyForce().map(force -> String.format(Locale.ROOT, " (%.2g N rms of the sitter's own force on %s count as noise).",
-                scale.factor() * force.rms(), evidence.model().bodies().get(force.body()).name())).orElse(".");
+        return evidence.acting().own()
+                .map(force -> String.format(Locale.ROOT, " (%.2g N rms of the sitter's own force on %s count as noise).",
+                        scale.factor() * force.rms(), evidence.model().bodies().get(force.body()).name()))
+                .orElse(".");
     }
 }

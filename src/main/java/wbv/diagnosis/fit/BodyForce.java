@@ -5,8 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.Model;
+import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Addition;
 
@@ -23,8 +25,44 @@ import wbv.diagnosis.mechanism.Addition;
  */
 public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead) {
 
+    /**
+     * Forces that act on bodies, of which each is one of many.
+     *
+     * @param own of a person who sits still
+     * @param push of more than that
+     */
+    public record Acting(Optional<BodyForce> own, Optional<BodyForce> push) {
+
+        static final Acting NONE = new Acting(Optional.empty(), Optional.empty());
+
+        /** With another force of a person who sits still, or none. */
+        public Acting withOwn(Optional<BodyForce> other) {
+            return new Acting(other, push);
+        }
+
+        /** With another push, or none. */
+        public Acting withPush(Optional<BodyForce> other) {
+            return new Acting(own, other);
+        }
+
+        /** The same where all masses are greater by a factor [1]. */
+        public Acting scaled(double factor) {
+            return new Acting(own.map(force -> force.scaled(factor)), push.map(force -> force.scaled(factor)));
+        }
+
+        /** All of them. */
+        public Stream<BodyForce> all() {
+            return Stream.concat(own.stream(), push.stream());
+        }
+
+        /** Whether there is one. */
+        public boolean any() {
+            return own.isPresent() || push.isPresent();
+        }
+    }
+
     /** Part of the excess that a single body has to carry before the force is believed. */
-    private static final double CARRIED = 0.6;
+    private static final double CARRIED = 0.5;
     /** How much more of what the body carries a link has to carry to be believed instead. */
     private static final double BETTER = 0.05;
     /** Part of what a body carries by which another may carry less and still be as likely. */
@@ -126,7 +164,8 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         }
         boolean form = answering - least < CLEAR * (state.reduced() - least);
         lead = form ? Double.NEGATIVE_INFINITY : lead;
-        BodyForce found = of(evidence, state, best, linear.ofBodyForce(best), (state.reduced() - least) / (state.reduced() - 1), lead);
+        BodyForce found = of(evidence, state, assembly, best, linear.ofBodyForce(best),
+                (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.following().isAnswer() ? Optional.empty() : Optional.of(found);
     }
 
@@ -140,11 +179,26 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().standsOnBase(l, body));
     }
 
-    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried, double lead) {
+    private static BodyForce of(Evidence evidence, Fitter.State state, Assembly assembly, int body, double[][] direction, double carried,
+            double lead) {
         Entering entering = Entering.along(evidence, state, direction);
         Window window = state.frame().whitening().window();
         ForceBands bands = ForceBands.of(entering, window);
-        return new BodyForce(body, bands, carried, LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window)),
-                lead);
+        LevelDependence following = LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window),
+                bands.noise(entering, window), carried(evidence, assembly, body));
+        return new BodyForce(body, bands, carried, following, lead);
+    }
+
+    /** Power of what the links of a body carry as the model moves [N²], by sample of the recording. */
+    private static double[] carried(Evidence evidence, Assembly assembly, int body) {
+        Excitation excitation = evidence.excitation();
+        Motion motion = Motion.simulated(evidence, assembly);
+        double[] out = new double[excitation.samples()];
+        IntStream.range(0, assembly.structure().links())
+                .filter(link -> Arrays.stream(assembly.structure().stretch(link).at()).anyMatch(at -> at == body)).forEach(link -> {
+                    double[] load = excitation.series(excitation.spectrumOfFine(motion.load(link)));
+                    Arrays.setAll(out, i -> out[i] + load[i] * load[i]);
+                });
+        return out;
     }
 }

@@ -173,9 +173,14 @@ public final class Evidence {
         return new Evidence(measured, excitation, windows, sources, other, shapes);
     }
 
-    /** The same evidence, with a force that a person makes as part of the noise. */
+    /** The same evidence, with a force as part of the noise: a person's who sits still, or a push. */
     public Evidence with(BodyForce force) {
-        return with(sources.with(Optional.of(force)));
+        return with(force.ordinary(this) ? acting().withOwn(Optional.of(force)) : acting().withPush(Optional.of(force)));
+    }
+
+    /** The same evidence, with these forces as part of the noise and no others. */
+    public Evidence with(BodyForce.Acting forces) {
+        return with(sources.with(forces));
     }
 
     /**
@@ -190,11 +195,6 @@ public final class Evidence {
     /** How noisy the sensors of a rig's input are, where a fit has told it: standard deviation of a sample. */
     public Map<Channel, Double> heard() {
         return sources.heard();
-    }
-
-    /** The same evidence, with no person's force in the noise. */
-    public Evidence withoutForce() {
-        return with(sources.with(Optional.empty()));
     }
 
     /** The same evidence, blind to whatever enters at a place. */
@@ -231,9 +231,9 @@ public final class Evidence {
         return windows.isLate();
     }
 
-    /** A force that a person makes, where one was found. */
-    public Optional<BodyForce> bodyForce() {
-        return sources.bodyForce();
+    /** Forces that count as noise. */
+    public BodyForce.Acting acting() {
+        return sources.acting();
     }
 
     /** What is simulated for the outputs, as it shows beside what was measured there. */

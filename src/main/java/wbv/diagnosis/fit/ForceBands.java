@@ -133,6 +133,23 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
         return out;
     }
 
+    /**
+     * Part of the power of what is {@link #telling} that is noise [1], on average.
+     *
+     * @param force whose bands these are
+     */
+    double noise(Entering force, Window window) {
+        double noise = 0;
+        double all = 0;
+        for (int line = 0; line < window.lines(); line++) {
+            double own = power(window.frequency(line));
+            double both = own + force.variance()[line];
+            noise += own > 0 ? own / both * force.variance()[line] / both : 0;
+            all += own > 0 ? own / both : 0;
+        }
+        return all > 0 ? noise / all : 1;
+    }
+
     /** The same force where all masses are greater by a factor. */
     ForceBands scaled(double factor) {
         return new ForceBands(factor * rms, factor * even, edges, Arrays.stream(power).map(p -> factor * factor * p).toArray());

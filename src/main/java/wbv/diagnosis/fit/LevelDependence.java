@@ -2,28 +2,29 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Coherence;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /**
- * How the level of a force follows that of the ride from block to block: that of everything does which the ride causes.
+ * How the level of a force follows that of the motion from block to block: that of everything does which the ride causes. A ride need not
+ * have levels for it: what narrow bands make of noise, a body on its cushion foremost, swells and fades by itself.
  *
  * @param slope in logarithms: 0 not at all, 1 in proportion; infinite where other motion of the recording explains the force
- * @param doubt standard deviation of the slope [1]; infinite where the ride has one level or is short
+ * @param doubt standard deviation of the slope [1]; infinite where the motion has one level or is short
  */
 public record LevelDependence(double slope, double doubt) {
 
     private static final double FOLLOWING = 0.5;
     private static final double INDEPENDENT = 0.4;
-    private static final double STEADY = 0.8;
     private static final double PROPORTION = 1;
-    /** Below this variance of its level, in logarithms, a ride has but one. */
-    private static final double LEVELS = 0.05;
-    /** Length of a block [s]. */
-    private static final double BLOCK = 4;
+    /** Length of a block [s]: longer than a body on a cushion remembers, shorter than its motion swells. */
+    private static final double BLOCK = 0.5;
     private static final int FEWEST = 5;
+    /** Part of its mean power below which a motion counts as rest [1]. */
+    private static final double REST = 1e-6;
+    private static final int ROUNDS = 30;
+    private static final double LARGEST = 3;
     /** Standard deviations that a normal deviate passes once in a thousand times [1]. */
     private static final double EXCLUDED = 3.1;
     private static final double COHERENT = 0.35;
@@ -31,29 +32,23 @@ public record LevelDependence(double slope, double doubt) {
     /**
      * @param force spectrum at the window's lines [N]
      * @param telling the same, each line weighed by what it tells of the force's level
+     * @param noise part of the power of that, on average, that is noise
+     * @param motion power of what moves where the force acts, of any unit, by sample of the recording
      */
-    static LevelDependence of(Evidence evidence, Window window, double[] force, double[] telling) {
+    static LevelDependence of(Evidence evidence, Window window, double[] force, double[] telling, double noise, double[] motion) {
         if (answers(evidence, window, window.series(force))) {
             return new LevelDependence(Double.POSITIVE_INFINITY, 0);
         }
         double[] series = window.series(telling);
-        Excitation excitation = evidence.excitation();
-        double[] ride = excitation.series(excitation.baseSpectrum());
         int block = (int) (BLOCK * evidence.recording().clock().rate());
-        // Where nothing was measured no force shows.
-        int[] starts = IntStream.range(0, window.length() / block).map(b -> b * block)
+        // Where nothing was measured no force shows; at both ends the taper hides it.
+        int[] starts = IntStream.range(1, window.length() / block - 1).map(b -> b * block)
                 .filter(start -> measured(evidence, window.start() + start, block)).toArray();
-        double[] x = new double[starts.length];
-        double[] y = new double[x.length];
-        for (int b = 0; b < x.length; b++) {
-            for (int i = starts[b]; i < starts[b] + block; i++) {
-                x[b] += ride[window.start() + i] * ride[window.start() + i];
-                y[b] += series[i] * series[i];
-            }
-            x[b] = Math.log(x[b] + 1e-12);
-            y[b] = Math.log(y[b] + 1e-12);
-        }
-        return line(x, y);
+        double[] moved = Arrays.stream(starts).mapToDouble(from -> IntStream.range(from, from + block)
+                .mapToDouble(i -> motion[window.start() + i]).sum()).toArray();
+        double[] power = Arrays.stream(starts).mapToDouble(from -> IntStream.range(from, from + block)
+                .mapToDouble(i -> series[i] * series[i]).sum()).toArray();
+        return following(power, moved, noise * Arrays.stream(power).average().orElse(0));
     }
 
     private static boolean measured(Evidence evidence, int from, int length) {
@@ -63,25 +58,48 @@ public record LevelDependence(double slope, double doubt) {
         });
     }
 
-    private static LevelDependence line(double[] x, double[] y) {
-        double mx = Arrays.stream(x).average().orElse(0);
-        double my = Arrays.stream(y).average().orElse(0);
-        double sxy = 0;
-        double sxx = 0;
-        for (int b = 0; b < x.length; b++) {
-            sxy += (x[b] - mx) * (y[b] - my);
-            sxx += (x[b] - mx) * (x[b] - mx);
+    /**
+     * The power p of a force by block as noise and A m^s of the motion's power m: a generalised linear model of gamma distributed powers,
+     * their dispersion as found (McCullagh and Nelder 1989, chapter 8), by Fisher scoring.
+     *
+     * @param power of the force by block, noise included, of any unit
+     * @param motion its power by block, of any unit
+     * @param noise in the force's power
+     */
+    static LevelDependence following(double[] power, double[] motion, double noise) {
+        double rest = REST * Arrays.stream(motion).average().orElse(0);
+        double[] x = Arrays.stream(motion).map(m -> Math.log(m + rest)).toArray();
+        double middle = Arrays.stream(x).average().orElse(0);
+        double level = Math.log(Math.max(Arrays.stream(power).average().orElse(0) - noise, noise / LARGEST));
+        double slope = 0;
+        double doubt = Double.POSITIVE_INFINITY;
+        for (int round = 0; round < ROUNDS && power.length >= FEWEST; round++) {
+            double aa = 0;
+            double ab = 0;
+            double bb = 0;
+            double a = 0;
+            double b = 0;
+            double square = 0;
+            for (int i = 0; i < x.length; i++) {
+                double own = Math.exp(level + slope * (x[i] - middle));
+                double by = own / (own + noise);
+                double left = power[i] / (own + noise) - 1;
+                aa += by * by;
+                ab += by * by * (x[i] - middle);
+                bb += by * by * (x[i] - middle) * (x[i] - middle);
+                a += by * left;
+                b += by * left * (x[i] - middle);
+                square += left * left;
+            }
+            double told = bb - ab * ab / aa;
+            double step = told > 0 ? (b - a * ab / aa) / told : 0;
+            double next = Math.max(-LARGEST, Math.min(LARGEST, slope + Math.max(-1, Math.min(1, step))));
+            level += Math.max(-1, Math.min(1, (a - ab * (next - slope)) / aa));
+            slope = next;
+            doubt = Math.sqrt(square / (x.length - 2) / told);
         }
-        // A ride of one level tells nothing, nor do a few blocks: then only the size speaks.
-        if (x.length < FEWEST || sxx / x.length < LEVELS) {
-            return new LevelDependence(0, Double.POSITIVE_INFINITY);
-        }
-        double slope = sxy / sxx;
-        double left = 0;
-        for (int b = 0; b < x.length; b++) {
-            left += Math.pow(y[b] - my - slope * (x[b] - mx), 2);
-        }
-        return new LevelDependence(slope, Math.sqrt(left / (x.length - 2) / sxx));
+        // Motion of one level tells nothing, nor do a few blocks: then only the size speaks.
+        return doubt < Double.POSITIVE_INFINITY ? new LevelDependence(slope, doubt) : new LevelDependence(0, Double.POSITIVE_INFINITY);
     }
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
@@ -105,7 +123,7 @@ public record LevelDependence(double slope, double doubt) {
         return slope == Double.POSITIVE_INFINITY;
     }
 
-    /** Whether the ride has levels enough to tell. */
+    /** Whether the motion has levels enough to tell. */
     public boolean isTold() {
         return doubt < FOLLOWING;
     }
@@ -115,9 +133,9 @@ public record LevelDependence(double slope, double doubt) {
         return slope - EXCLUDED * Math.min(doubt, 1) < FOLLOWING;
     }
 
-    /** Whether it is known not to follow as what the ride causes does. */
+    /** Whether it is known not to follow by as much as half. */
     public boolean isSteady() {
-        return slope + 2 * doubt < STEADY;
+        return slope + 2 * doubt < FOLLOWING;
     }
 
     /** Whether it hardly follows, and not in proportion. */
@@ -127,6 +145,6 @@ public record LevelDependence(double slope, double doubt) {
 
     /** Whether it is known to follow hardly at all. */
     boolean isSurelyWeak() {
-        return Math.abs(slope) + 2 * doubt < INDEPENDENT;
+        return Math.abs(slope) + doubt < INDEPENDENT;
     }
 }

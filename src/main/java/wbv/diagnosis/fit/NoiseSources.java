@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -16,34 +15,34 @@ import wbv.recording.Channel;
 /**
  * What reaches several outputs at once and counts as noise, beside what the input's sensors are known to add.
  *
- * @param bodyForce a force that a person makes, where one was found
+ * @param acting forces on bodies, as far as they were found
  * @param ignored places at which whatever enters is not to be seen
  * @param heard how noisy the sensors of a rig's input are, where a fit has told it: standard deviation of a sample, in its unit
  */
-record NoiseSources(Optional<BodyForce> bodyForce, List<Place> ignored, Map<Channel, Double> heard) {
+record NoiseSources(BodyForce.Acting acting, List<Place> ignored, Map<Channel, Double> heard) {
 
-    static final NoiseSources NONE = new NoiseSources(Optional.empty(), List.of(), Map.of());
+    static final NoiseSources NONE = new NoiseSources(BodyForce.Acting.NONE, List.of(), Map.of());
 
     NoiseSources {
         ignored = List.copyOf(ignored);
         heard = Map.copyOf(heard);
     }
 
-    NoiseSources with(Optional<BodyForce> force) {
-        return new NoiseSources(force, ignored, heard);
+    NoiseSources with(BodyForce.Acting forces) {
+        return new NoiseSources(forces, ignored, heard);
     }
 
     NoiseSources with(Map<Channel, Double> levels) {
-        return new NoiseSources(bodyForce, ignored, levels);
+        return new NoiseSources(acting, ignored, levels);
     }
 
     NoiseSources ignoring(List<Place> places) {
-        return new NoiseSources(bodyForce, Stream.concat(ignored.stream(), places.stream()).toList(), heard);
+        return new NoiseSources(acting, Stream.concat(ignored.stream(), places.stream()).toList(), heard);
     }
 
     /** Whether one of them is strong. */
     boolean areStrong() {
-        return bodyForce.isPresent() || !ignored.isEmpty();
+        return acting.any() || !ignored.isEmpty();
     }
 
     /**
@@ -59,8 +58,8 @@ record NoiseSources(Optional<BodyForce> bodyForce, List<Place> ignored, Map<Chan
                 .map(input -> new Whitening.Source(power(window, frequency -> input.noise().power(2 * Math.PI * frequency)),
                         read.apply(input.transfer().get())))
                 .forEach(sources::add);
-        bodyForce.map(force -> new Whitening.Source(power(window, force::power),
-                read.apply(new Place(Place.Kind.BODY, force.body()).direction(from, linear)))).ifPresent(sources::add);
+        acting.all().map(force -> new Whitening.Source(power(window, force::power),
+                read.apply(new Place(Place.Kind.BODY, force.body()).direction(from, linear)))).forEach(sources::add);
         ignored.stream().map(place -> Whitening.Source.deafening(evidence.noise(), read.apply(place.direction(from, linear))))
                 .forEach(sources::add);
         return new Whitening(window, evidence.noise(), sources, ignored.size());

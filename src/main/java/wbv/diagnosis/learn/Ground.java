@@ -42,10 +42,13 @@ record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator>
         return new Ground(on, Arrays.copyOf(fit.x(), on.knobs().size()), Motion.simulated(evidence, assembly), begun, kin);
     }
 
-    /** Beside a fit's terms; along the motion that these make where they explain nearly all. */
+    /**
+     * Beside a fit's terms; along the motion that these make where they explain nearly all. Where there are none, along the model's own:
+     * along what was measured of a body that something pushes, anything would explain the push.
+     */
     static Ground beside(Evidence evidence, Fitter.State base, Fitter.State fit) {
         Assembly assembly = fit.candidate().at(fit.x());
-        boolean told = Refinement.explainsNearlyAll(base, fit);
+        boolean told = fit.candidate().added().isEmpty() || Refinement.explainsNearlyAll(base, fit);
         return new Ground(fit.candidate(), fit.x(), told ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0,
                 Set.of());
     }

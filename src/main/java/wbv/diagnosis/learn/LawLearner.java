@@ -85,8 +85,12 @@ public final class LawLearner {
      * @see LawProof#within
      */
     public boolean promises() {
-        double most = LawProof.within(evidence, base);
-        return links().stream().anyMatch(link -> openings.promise(link, most));
+        return links().stream().anyMatch(this::promises);
+    }
+
+    /** The same of terms in one link. */
+    public boolean promises(int link) {
+        return openings.promise(link, LawProof.within(evidence, base));
     }
 
     /** Tables in place of a formula, most evident first. */

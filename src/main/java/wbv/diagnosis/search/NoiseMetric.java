@@ -37,7 +37,7 @@ public final class NoiseMetric {
             Arrays.setAll(power, k -> input.noise().power(omega[k]));
             sources.add(new Source(power, input.transfer().get()));
         });
-        evidence.bodyForce().ifPresent(force -> {
+        evidence.acting().all().forEach(force -> {
             double[] power = new double[omega.length];
             Arrays.setAll(power, k -> force.power(omega[k] / (2 * Math.PI)));
             sources.add(new Source(power, new Simulator(from).linearised(assembly).ofBodyForce(force.body())));

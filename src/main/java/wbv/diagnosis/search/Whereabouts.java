@@ -96,7 +96,7 @@ public final class Whereabouts {
     private static Whereabouts beside(Evidence evidence, Candidate baseline, Places places) {
         Set<Place> near = near(baseline, places.found(), Priors.STRANGE - 1);
         boolean told = !places.found().isEmpty()
-                && (evidence.bodyForce().isPresent() || plain(baseline, places.found().get(0)).kind() != Place.Kind.BODY);
+                && (evidence.acting().any() || plain(baseline, places.found().get(0)).kind() != Place.Kind.BODY);
         return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
     }
 
@@ -159,15 +159,15 @@ public final class Whereabouts {
 
     /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
     public Optional<BodyForce> ownForce() {
-        return force(force -> force.ordinary(evidence));
+        return force(false, force -> force.ordinary(evidence));
     }
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
     public Optional<BodyForce> push() {
-        return force(force -> force.following().isSteady() && !force.ordinary(evidence));
+        return force(true, force -> force.following().isSteady() && !force.ordinary(evidence));
     }
 
-    private Optional<BodyForce> force(Predicate<BodyForce> kind) {
+    private Optional<BodyForce> force(boolean onBase, Predicate<BodyForce> kind) {
         if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
@@ -180,7 +180,7 @@ public final class Whereabouts {
             if (without.reduced() < Priors.NOISE) {
                 return Optional.empty();
             }
-            Optional<BodyForce> force = BodyForce.in(blind, without).filter(kind);
+            Optional<BodyForce> force = BodyForce.in(blind, without, onBase).filter(kind);
             if (force.isPresent()
                     && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < Priors.MAJORITY * (without.reduced() - 1)) {
                 return force;

@@ -1,16 +1,26 @@
 package wbv.diagnosis.fit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.GammaDistribution;
+import org.apache.commons.math3.distribution.RealDistribution;
+import org.apache.commons.math3.random.RandomGenerator;
+import org.apache.commons.math3.random.Well19937c;
+import org.apache.commons.math3.stat.descriptive.DescriptiveStatistics;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Rides;
@@ -36,6 +46,36 @@ class LevelDependenceTest {
             assertTrue(following.doubt() < 0.15, seed + ": " + following);
             assertTrue(following.isSteady(), seed + ": " + following);
         }
+    }
+
+    /** Powers are gamma distributed, as those of narrow bands of noise are; the noise is half of the force's on average. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1, 2})
+    void theSlopeScattersByItsDoubt(double slope) {
+        RandomGenerator random = new Well19937c(7);
+        RealDistribution scatter = new GammaDistribution(random, 4, 0.25);
+        DescriptiveStatistics deviates = new DescriptiveStatistics();
+        for (int draw = 0; draw < 400; draw++) {
+            double[] motion = IntStream.range(0, 60).mapToDouble(block -> Math.exp(0.6 * random.nextGaussian())).toArray();
+            double[] power = Arrays.stream(motion).map(m -> (0.25 * Math.pow(m, slope) + 0.25) * scatter.sample()).toArray();
+            LevelDependence found = LevelDependence.following(power, motion, 0.25);
+            deviates.addValue((found.slope() - slope) / found.doubt());
+        }
+        assertEquals(0, deviates.getMean(), 0.25);
+        assertEquals(1, deviates.getStandardDeviation(), 0.2);
+    }
+
+    @Test
+    void motionOfOneLevelTellsNothing() {
+        double[] same = new double[40];
+        Arrays.fill(same, 2);
+        assertFalse(LevelDependence.following(IntStream.range(0, 40).mapToDouble(block -> 1 + block % 7).toArray(), same, 0).isTold());
+    }
+
+    @Test
+    void whatIsNoiseAloneFollowsNothingForCertain() {
+        double[] motion = {1, 2, 3, 4, 5, 6, 7, 8};
+        assertFalse(LevelDependence.following(new double[] {1, 1.1, 0.9, 1, 1.05, 0.95, 1, 1}, motion, 1).isSteady());
     }
 
     /** What a model as given leaves of a sitter who sits still, two rides together. */
