@@ -19,7 +19,7 @@ import wbv.diagnosis.mechanism.Addition;
  * @param body      index of the body
  * @param bands     how strong it is
  * @param carried   share of the excess that it carries
- * @param following how its level follows that of the ride
+ * @param following how its level follows that of the motion where it acts
  * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
  *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
  */
@@ -86,7 +86,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     }
 
     /**
-     * Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level.
+     * Whether it is known to be a cause of its own: its level does not follow the motion's, or it carries all where that does not tell.
      * Where a link could do the same, what lives in links has to be ruled out by the level alone.
      */
     public boolean independent() {
