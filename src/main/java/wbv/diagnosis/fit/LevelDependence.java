@@ -12,8 +12,9 @@ import wbv.recording.Quantity;
  *
  * @param slope in logarithms: 0 not at all, 1 in proportion; infinite where other motion of the recording explains the force
  * @param doubt standard deviation of the slope [1]; infinite where the motion has one level or is short
+ * @param least what it may be at least [1] while the motion is small, where what does not follow shows beside what does
  */
-public record LevelDependence(double slope, double doubt) {
+public record LevelDependence(double slope, double doubt, double least) {
 
     private static final double FOLLOWING = 0.5;
     /**
@@ -41,7 +42,7 @@ public record LevelDependence(double slope, double doubt) {
      */
     static LevelDependence of(Evidence evidence, Window window, double[] force, double[] telling, double noise, double[] motion) {
         if (answers(evidence, window, window.series(force))) {
-            return new LevelDependence(Double.POSITIVE_INFINITY, 0);
+            return new LevelDependence(Double.POSITIVE_INFINITY, 0, Double.POSITIVE_INFINITY);
         }
         double[] series = window.series(telling);
         int block = (int) (BLOCK * evidence.recording().clock().rate());
@@ -52,7 +53,13 @@ public record LevelDependence(double slope, double doubt) {
                 .mapToDouble(i -> motion[window.start() + i]).sum()).toArray();
         double[] power = Arrays.stream(starts).mapToDouble(from -> IntStream.range(from, from + block)
                 .mapToDouble(i -> series[i] * series[i]).sum()).toArray();
-        return following(power, moved, noise * Arrays.stream(power).average().orElse(0));
+        double hidden = noise * Arrays.stream(power).average().orElse(0);
+        double middle = Arrays.stream(moved).sorted().skip(moved.length / 2).findFirst().orElse(0);
+        int[] quiet = IntStream.range(0, moved.length).filter(b -> moved[b] < middle).toArray();
+        LevelDependence small = following(Arrays.stream(quiet).mapToDouble(b -> power[b]).toArray(),
+                Arrays.stream(quiet).mapToDouble(b -> moved[b]).toArray(), hidden);
+        LevelDependence all = following(power, moved, hidden);
+        return new LevelDependence(all.slope(), all.doubt(), Math.min(all.least(), small.least()));
     }
 
     private static boolean measured(Evidence evidence, int from, int length) {
@@ -103,7 +110,8 @@ public record LevelDependence(double slope, double doubt) {
             doubt = Math.sqrt(square / (x.length - 2) / told);
         }
         // Motion of one level tells nothing, nor do a few blocks: then only the size speaks.
-        return doubt < Double.POSITIVE_INFINITY ? new LevelDependence(slope, doubt) : new LevelDependence(0, Double.POSITIVE_INFINITY);
+        return doubt < Double.POSITIVE_INFINITY ? new LevelDependence(slope, doubt, slope - EXCLUDED * Math.min(doubt, 1))
+                : new LevelDependence(0, Double.POSITIVE_INFINITY, -EXCLUDED);
     }
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
@@ -134,7 +142,7 @@ public record LevelDependence(double slope, double doubt) {
 
     /** Whether it is not ruled out that it hardly follows: beside what the ride causes there may be what it does not. */
     boolean mayBeWeak() {
-        return slope - EXCLUDED * Math.min(doubt, 1) < FOLLOWING;
+        return least < FOLLOWING;
     }
 
     /** Whether it is known not to follow by as much as half. */
