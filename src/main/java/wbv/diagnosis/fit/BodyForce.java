@@ -61,7 +61,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         }
     }
 
-    /** Part of the excess that a single body has to carry before the force is believed. */
+    /** Part of the excess that a single body has to carry before the force is believed [1]: most of it. */
     private static final double CARRIED = 0.5;
     /** How much more of what the body carries a link has to carry to be believed instead. */
     private static final double BETTER = 0.05;
@@ -76,7 +76,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     private static final double CLEAR = 0.1;
     private static final double ALL = 0.9;
 
-    /** Whether a person sitting still could be the cause: small, on the trunk, and not following the ride. */
+    /** Whether a person sitting still could be the cause: small, on the trunk, and not following its motion for all that is known. */
     public boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
