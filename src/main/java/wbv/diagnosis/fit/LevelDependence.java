@@ -26,8 +26,8 @@ public record LevelDependence(double slope, double doubt, double least) {
     private static final double PROPORTION = 1;
     /**
      * Length of a block [s]: longer than a body on a cushion remembers, shorter than its motion swells. Of 102 forces and laws on
-     * roads, with blocks of 0.5 and of 2 s, slopes agree within two of their doubts in 101, and the shortest leave the least doubt: 0.11, with
-     * 1 and 2 s 0.16 and 0.20.
+     * roads, with blocks of 0.5 and of 2 s, slopes agree within two of their doubts in 101, and the shortest leave the least doubt: 0.11,
+     * with 1 and 2 s 0.16 and 0.20.
      */
     private static final double BLOCK = 0.5;
     private static final int FEWEST = 5;
