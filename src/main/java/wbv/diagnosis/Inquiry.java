@@ -110,22 +110,25 @@ final class Inquiry {
         return search.again(base(), fits);
     }
 
-    /** What a person who sits still does of what a fit leaves, whatever is known of that already. */
+    /**
+     * What a person who sits still does of what a fit leaves, whatever is known of that already. On a body on the base it cannot be told
+     * from noise of the base's sensor, which enters there at one level as well.
+     */
     Optional<BodyForce> own(Fitter.State fit) {
-        return left(evidence.with(evidence.acting().withOwn(Optional.empty())), fit).filter(force -> force.ordinary(evidence));
+        return left(evidence.with(evidence.acting().withOwn(Optional.empty())), fit, false).filter(force -> force.ordinary(evidence));
     }
 
     /** A force of more than that of its own that a fit leaves, whatever is known of one already. */
     Optional<BodyForce> push(Fitter.State fit) {
-        return left(withoutPush(evidence), fit).filter(force -> force.independent() && !force.ordinary(evidence));
+        return left(withoutPush(evidence), fit, true).filter(force -> force.independent() && !force.ordinary(evidence));
     }
 
     private static Evidence withoutPush(Evidence knowing) {
         return knowing.with(knowing.acting().withPush(Optional.empty()));
     }
 
-    private static Optional<BodyForce> left(Evidence plain, Fitter.State fit) {
-        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()), true);
+    private static Optional<BodyForce> left(Evidence plain, Fitter.State fit, boolean onBase) {
+        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()), onBase);
     }
 
     /**
@@ -156,7 +159,7 @@ final class Inquiry {
     boolean isBeside(BodyForce push, Diagnosed found) {
         double known = found.evidence.acting().push().map(BodyForce::rms).orElse(Double.NaN);
         return found.namesBesidePush() && found.base.reduced() - 1 > Priors.SCATTER * (base().reduced() - 1)
-                && left(withoutPush(found.evidence), found.chosen)
+                && left(withoutPush(found.evidence), found.chosen, true)
                         .filter(force -> force.body() == push.body() && force.rms() > Priors.MAJORITY * known).isPresent();
     }
 }
