@@ -115,20 +115,22 @@ final class Inquiry {
      * from noise of the base's sensor, which enters there at one level as well.
      */
     Optional<BodyForce> own(Fitter.State fit) {
-        return left(evidence.with(evidence.acting().withOwn(Optional.empty())), fit, false).filter(force -> force.ordinary(evidence));
+        Evidence plain = evidence.with(evidence.acting().withOwn(Optional.empty()));
+        return BodyForce.aboveBase(plain, seen(plain, fit)).filter(force -> force.ordinary(evidence));
     }
 
     /** A force of more than that of its own that a fit leaves, whatever is known of one already. */
     Optional<BodyForce> push(Fitter.State fit) {
-        return left(withoutPush(evidence), fit, true).filter(force -> force.independent() && !force.ordinary(evidence));
+        return pushLeft(evidence, fit).filter(force -> force.independent() && !force.ordinary(evidence));
     }
 
-    private static Evidence withoutPush(Evidence knowing) {
-        return knowing.with(knowing.acting().withPush(Optional.empty()));
+    private static Optional<BodyForce> pushLeft(Evidence knowing, Fitter.State fit) {
+        Evidence plain = knowing.with(knowing.acting().withPush(Optional.empty()));
+        return BodyForce.onAnyBody(plain, seen(plain, fit));
     }
 
-    private static Optional<BodyForce> left(Evidence plain, Fitter.State fit, boolean onBase) {
-        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()), onBase);
+    private static Fitter.State seen(Evidence through, Fitter.State fit) {
+        return new Fitter(through).look(fit.candidate(), fit.x(), through.fit());
     }
 
     /**
@@ -138,13 +140,13 @@ final class Inquiry {
     Optional<Inquiry> knowingWhoSitsStill() {
         // A tone would be taken for a part of a force that has all frequencies.
         return SpectralLines.standOut(base().residual(), evidence.fit()) ? Optional.empty()
-                : BodyForce.in(evidence, base()).filter(force -> force.ordinary(evidence) && force.following().isSteady())
+                : BodyForce.aboveBase(evidence, base()).filter(force -> force.ordinary(evidence) && force.following().isSteady())
                         .map(this::knowing).filter(knowing -> knowing.leaves(knowing.base(), Priors.NOISE));
     }
 
     /** A strong force of its own that is left without any mechanism. */
     Optional<BodyForce> push() {
-        return base().reduced() > Priors.STRANGE ? BodyForce.in(evidence, base(), true).filter(BodyForce::independent) : Optional.empty();
+        return base().reduced() > Priors.STRANGE ? BodyForce.onAnyBody(evidence, base()).filter(BodyForce::independent) : Optional.empty();
     }
 
     /** Whether a push is all that is missing. */
@@ -159,7 +161,7 @@ final class Inquiry {
     boolean isBeside(BodyForce push, Diagnosed found) {
         double known = found.evidence.acting().push().map(BodyForce::rms).orElse(Double.NaN);
         return found.namesBesidePush() && found.base.reduced() - 1 > Priors.SCATTER * (base().reduced() - 1)
-                && left(withoutPush(found.evidence), found.chosen, true)
+                && pushLeft(found.evidence, found.chosen)
                         .filter(force -> force.body() == push.body() && force.rms() > Priors.MAJORITY * known).isPresent();
     }
 }

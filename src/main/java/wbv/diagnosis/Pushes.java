@@ -32,15 +32,16 @@ final class Pushes {
             return Optional.empty();
         }
         Standing standing = grounds.standing();
-        return BodyForce.in(grounds.evidence(), grounds.base(), !named).filter(BodyForce::independent)
-                .filter(force -> isAll(grounds.evidence(), grounds.base(), force)).map(force -> {
-                    double p = named ? Math.max(Priors.MAJORITY, 1 - standing.explained())
-                            : force.following().isTold() ? Priors.HELD : Priors.MAJORITY;
-                    List<Diagnosis.Named> rivals = standing.rivals(1 - p);
-                    return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
-                            List.of(named(force, grounds.scale(), p)), rivals, List.of(),
-                            grounds.words().ending(force.carried(), 0, rivals));
-                });
+        Optional<BodyForce> force = named ? BodyForce.aboveBase(grounds.evidence(), grounds.base())
+                : BodyForce.onAnyBody(grounds.evidence(), grounds.base());
+        return force.filter(BodyForce::independent).filter(push -> isAll(grounds.evidence(), grounds.base(), push)).map(push -> {
+            double p = named ? Math.max(Priors.MAJORITY, 1 - standing.explained())
+                    : push.following().isTold() ? Priors.HELD : Priors.MAJORITY;
+            List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+            return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, grounds.base(), grounds.scale(),
+                    List.of(named(push, grounds.scale(), p)), rivals, List.of(),
+                    grounds.words().ending(push.carried(), 0, rivals));
+        });
     }
 
     /**

@@ -119,7 +119,7 @@ class IntervalsTest {
         }
         Fitter.State fit = fitter.look(with, x, fitter.frame(with, x, evidence.fit()));
         Optional<BodyForce> force = !told || fit.reduced() < 1.2 ? Optional.empty()
-                : BodyForce.in(evidence, fit).filter(f -> f.ordinary(evidence));
+                : BodyForce.aboveBase(evidence, fit).filter(f -> f.ordinary(evidence));
         if (force.isEmpty()) {
             return new Values(evidence, fit);
         }

@@ -116,18 +116,20 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     }
 
     /**
-     * The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do.
+     * The force on the one body above the base's own that carries most of what a fit leaves; empty where no body carries it better than
+     * links and sensors do, with fewer than two outputs and on a rig. On a body on the base it could not be told from one in the base's
+     * link, where friction lives, nor a weak one from noise of the base's sensor.
      */
-    public static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
+    public static Optional<BodyForce> aboveBase(Evidence evidence, Fitter.State state) {
         return in(evidence, state, false);
     }
 
-    /**
-     * The force that a fit's residual shows; empty where it shows none, with fewer than two outputs and on a rig.
-     *
-     * @param onBase whether bodies on the base count: a force there cannot be told from one in the base's link, where friction lives
-     */
-    public static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
+    /** The same on any body: for a force so strong, or so alone, that neither friction nor noise is in question. */
+    public static Optional<BodyForce> onAnyBody(Evidence evidence, Fitter.State state) {
+        return in(evidence, state, true);
+    }
+
+    private static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
         int outputs = evidence.outputs().size();
         if (outputs < 2 || evidence.onRig()) {
             return Optional.empty();

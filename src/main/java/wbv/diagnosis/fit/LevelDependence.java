@@ -67,6 +67,11 @@ public record LevelDependence(double slope, double doubt, double least) {
         return new LevelDependence(all.slope(), all.doubt(), Math.min(all.least(), small.least()));
     }
 
+    /** What a slope and its doubt exclude; a doubt of more than 1 excludes nothing that occurs. */
+    private static LevelDependence of(double slope, double doubt) {
+        return new LevelDependence(slope, doubt, slope - EXCLUDED * Math.min(doubt, 1));
+    }
+
     private static double[] sums(int[] starts, int block, IntToDoubleFunction sample) {
         return Arrays.stream(starts).mapToDouble(from -> IntStream.range(from, from + block).mapToDouble(sample).sum()).toArray();
     }
@@ -119,8 +124,7 @@ public record LevelDependence(double slope, double doubt, double least) {
             doubt = Math.sqrt(square / (x.length - 2) / told);
         }
         // Motion of one level tells nothing, nor do a few blocks: then only the size speaks.
-        return doubt < Double.POSITIVE_INFINITY ? new LevelDependence(slope, doubt, slope - EXCLUDED * Math.min(doubt, 1))
-                : new LevelDependence(0, Double.POSITIVE_INFINITY, -EXCLUDED);
+        return doubt < Double.POSITIVE_INFINITY ? of(slope, doubt) : of(0, Double.POSITIVE_INFINITY);
     }
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import wbv.diagnosis.fit.BodyForce;
@@ -159,15 +160,15 @@ public final class Whereabouts {
 
     /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
     public Optional<BodyForce> ownForce() {
-        return force(false, force -> force.ordinary(evidence));
+        return force(BodyForce::aboveBase, force -> force.ordinary(evidence));
     }
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
     public Optional<BodyForce> push() {
-        return force(true, force -> force.following().isSteady() && !force.ordinary(evidence));
+        return force(BodyForce::onAnyBody, force -> force.following().isSteady() && !force.ordinary(evidence));
     }
 
-    private Optional<BodyForce> force(boolean onBase, Predicate<BodyForce> kind) {
+    private Optional<BodyForce> force(BiFunction<Evidence, Fitter.State, Optional<BodyForce>> sought, Predicate<BodyForce> kind) {
         if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
@@ -180,7 +181,7 @@ public final class Whereabouts {
             if (without.reduced() < Priors.NOISE) {
                 return Optional.empty();
             }
-            Optional<BodyForce> force = BodyForce.in(blind, without, onBase).filter(kind);
+            Optional<BodyForce> force = sought.apply(blind, without).filter(kind);
             if (force.isPresent()
                     && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < Priors.MAJORITY * (without.reduced() - 1)) {
                 return force;

@@ -86,6 +86,6 @@ class LevelDependenceTest {
                 Rides.of(Map.of("one", made.recording()), Optional.of(Map.entry("other", made.beside().get(ConcealedCase.WITH))))
                         .recording());
         Candidate baseline = Baseline.of(evidence);
-        return BodyForce.in(evidence, new Fitter(evidence).look(baseline, baseline.start(), evidence.fit())).orElseThrow();
+        return BodyForce.aboveBase(evidence, new Fitter(evidence).look(baseline, baseline.start(), evidence.fit())).orElseThrow();
     }
 }
