@@ -94,6 +94,6 @@ public record SkyhookBody(double frequency, double damping, double baseShare) im
             spectrum[2 * k] = body.re()[0] * re - body.im()[0] * im;
             spectrum[2 * k + 1] = k == 0 || 2 * k == dft.length() ? 0 : body.re()[0] * im + body.im()[0] * re;
         }
-        return Arrays.copyOf(dft.inverse(spectrum), u.length);
+        return dft.inverse(spectrum, u.length);
     }
 }

@@ -108,7 +108,7 @@ public final class MorletTransform {
         double slowest = Arrays.stream(frequencies).min().orElse(rate / 2);
         int silence = (int) Math.min(samples.length, Math.ceil(REACH * deviation(slowest) * rate));
         RealDft dft = new RealDft(RealDft.covering(samples.length + silence));
-        return new Record(dft, dft.forward(Arrays.copyOf(samples, dft.length())), samples.length);
+        return new Record(dft, dft.forward(samples, dft.length() / 2 + 1), samples.length);
     }
 
     /** How near an end of a record a value at a frequency is not to be trusted [s]. */
@@ -153,6 +153,6 @@ public final class MorletTransform {
             quadrature[2 * k] = gain * x[2 * k + 1];    // times -j
             quadrature[2 * k + 1] = -gain * x[2 * k];
         }
-        return new ComplexSeries(Arrays.copyOf(dft.inverse(real), length), Arrays.copyOf(dft.inverse(quadrature), length));
+        return new ComplexSeries(dft.inverse(real, length), dft.inverse(quadrature, length));
     }
 }

@@ -1,17 +1,24 @@
 package wbv.signal;
 
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+
 /**
  * Discrete Fourier transform of real sequences of any even length 2^a 3^b 5^c, for windows that no power of two fits.
  *
- * <p>The sequence is transformed as N/2 complex numbers by a self-sorting mixed-radix scheme (Stockham; radices 4, 2, 3, 5) and
- * split. Immutable: one object may serve many threads.
+ * <p>The sequence is transformed as N/2 complex numbers, of each two values, and split. Immutable: one object may serve many threads.
  */
 public final class RealDft {
+
+    /** Points up to which room is kept for the next transform, so that it stays in a processor's cache: where it would not, it is not. */
+    private static final int KEPT = 1 << 17;
 
     private final int length;
     private final int half;
     private final double[] cosine;
     private final double[] sine;
+    private final ComplexDft halves;
+    private final Queue<Room> idle = new ConcurrentLinkedQueue<>();
 
     /**
      * Works out the twiddle factors.
@@ -24,6 +31,7 @@ public final class RealDft {
         }
         this.length = length;
         this.half = length / 2;
+        halves = new ComplexDft(half);
         cosine = new double[half];
         sine = new double[half];
         for (int k = 0; k < half; k++) {
@@ -90,26 +98,63 @@ public final class RealDft {
         if (x.length != length) {
             throw new IllegalArgumentException("sequence must have " + length + " values: " + x.length);
         }
-        Halves z = new Halves(half);
-        for (int k = 0; k < half; k++) {
-            z.re[k] = x[2 * k];
-            z.im[k] = x[2 * k + 1];
+        return forward(x, half + 1);
+    }
+
+    /**
+     * The first lines of the spectrum, in the unit of the sequence, of one after which comes silence; otherwise as
+     * {@link #forward(double[])}.
+     *
+     * @param x sequence of any unit, at most N long. Not modified.
+     * @param lines 1 to N/2 + 1
+     */
+    public double[] forward(double[] x, int lines) {
+        if (x.length > length || lines < 1 || lines > half + 1) {
+            throw new IllegalArgumentException("transforms " + length + " values to " + (half + 1) + " lines at most: " + x.length + " to "
+                    + lines);
         }
-        z = complex(z);
-        double[] re = z.re;
-        double[] im = z.im;
-        double[] out = new double[length + 2];
-        for (int k = 0; k <= half; k++) {
-            int a = k == half ? 0 : k;
-            int b = k == 0 ? 0 : half - k;
-            double evenRe = (re[a] + re[b]) / 2;
-            double evenIm = (im[a] - im[b]) / 2;
-            double oddRe = (im[a] + im[b]) / 2;
-            double oddIm = (re[b] - re[a]) / 2;
-            double c = k == half ? -1 : cosine[k];
-            double s = k == half ? 0 : sine[k];
-            out[2 * k] = evenRe + c * oddRe + s * oddIm;
-            out[2 * k + 1] = evenIm + c * oddIm - s * oddRe;
+        Room room = room();
+        load(x, room.sequence);
+        ComplexDft.Rows z = halves.of(room.sequence, room.spectrum);
+        join(z.re(), room.re);
+        join(z.im(), room.im);
+        double[] out = split(room.re, room.im, lines);
+        leave(room);
+        return out;
+    }
+
+    private static void load(double[] x, ComplexDft.Rows z) {
+        for (int row = 0, n = 0; row < z.re().length; row++) {
+            double[] re = z.re()[row];
+            double[] im = z.im()[row];
+            for (int i = 0; i < re.length; i++, n += 2) {
+                re[i] = at(x, n);
+                im[i] = at(x, n + 1);
+            }
+        }
+    }
+
+    /** {@code X_k = E_k + O_k exp(-j2πk/N)} and {@code X*_m = E_k - O_k exp(-j2πk/N)}, m = N/2 - k, of even and of odd values. */
+    private double[] split(double[] re, double[] im, int lines) {
+        double[] out = new double[2 * lines];
+        out[0] = re[0] + im[0];
+        if (lines > half) {
+            out[length] = re[0] - im[0];
+        }
+        for (int k = 1; 2 * k <= half && k < lines; k++) {
+            int m = half - k;
+            double evenRe = (re[k] + re[m]) / 2;
+            double evenIm = (im[k] - im[m]) / 2;
+            double oddRe = (im[k] + im[m]) / 2;
+            double oddIm = (re[m] - re[k]) / 2;
+            double turnedRe = oddRe * cosine[k] + oddIm * sine[k];
+            double turnedIm = oddIm * cosine[k] - oddRe * sine[k];
+            if (m < lines) {
+                out[2 * m] = evenRe - turnedRe;
+                out[2 * m + 1] = turnedIm - evenIm;
+            }
+            out[2 * k] = evenRe + turnedRe;
+            out[2 * k + 1] = evenIm + turnedIm;
         }
         return out;
     }
@@ -121,195 +166,112 @@ public final class RealDft {
      *                 real in the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {
-        if (spectrum.length > length + 2) {
-            throw new IllegalArgumentException("spectrum must have at most " + (length + 2) + " values: " + spectrum.length);
+        return inverse(spectrum, length);
+    }
+
+    /**
+     * The first values of that sequence, count long, in the unit of the spectrum.
+     *
+     * @param spectrum of any unit, as for {@link #inverse(double[])}. Not modified.
+     * @param count 0 to N
+     */
+    public double[] inverse(double[] spectrum, int count) {
+        if (spectrum.length > length + 2 || count > length) {
+            throw new IllegalArgumentException("at most " + (length + 2) + " numbers of a spectrum give " + length + " values: "
+                    + spectrum.length + " for " + count);
         }
-        Halves z = new Halves(half);
-        for (int k = 0; k < half; k++) {
+        Room room = room();
+        merge(spectrum, room.re, room.im);
+        part(room.re, room.sequence.re());
+        part(room.im, room.sequence.im());
+        double[] out = unloaded(halves.of(room.sequence, room.spectrum), count);
+        leave(room);
+        return out;
+    }
+
+    /**
+     * {@code Z_k = E_k + j O_k} with {@code E_k = (X_k + X*_m)/2} and {@code O_k = (X_k - X*_m)/2 exp(j2πk/N)}, m = N/2 - k; conjugated for
+     * the inverse.
+     */
+    private void merge(double[] spectrum, double[] re, double[] im) {
+        double last = at(spectrum, length);
+        re[0] = (at(spectrum, 0) + last) / 2;
+        im[0] = (last - at(spectrum, 0)) / 2;
+        for (int k = 1; 2 * k <= half; k++) {
             int m = half - k;
-            // Z_k = E_k + j O_k with E_k = (X_k + X*_m)/2 and O_k = (X_k - X*_m)/2 exp(j2πk/N); conjugated for the inverse.
-            double re = 2 * k < spectrum.length ? spectrum[2 * k] : 0;
-            double im = k > 0 && 2 * k + 1 < spectrum.length ? spectrum[2 * k + 1] : 0;
-            double mirroredRe = 2 * m < spectrum.length ? spectrum[2 * m] : 0;
-            double mirroredIm = m < half && 2 * m + 1 < spectrum.length ? spectrum[2 * m + 1] : 0;
-            double evenRe = (re + mirroredRe) / 2;
-            double evenIm = (im - mirroredIm) / 2;
-            double diffRe = (re - mirroredRe) / 2;
-            double diffIm = (im + mirroredIm) / 2;
+            double hereRe = at(spectrum, 2 * k);
+            double hereIm = at(spectrum, 2 * k + 1);
+            double thereRe = at(spectrum, 2 * m);
+            double thereIm = at(spectrum, 2 * m + 1);
+            double evenRe = (hereRe + thereRe) / 2;
+            double evenIm = (hereIm - thereIm) / 2;
+            double diffRe = (hereRe - thereRe) / 2;
+            double diffIm = (hereIm + thereIm) / 2;
             double oddRe = diffRe * cosine[k] - diffIm * sine[k];
             double oddIm = diffRe * sine[k] + diffIm * cosine[k];
-            z.re[k] = evenRe - oddIm;
-            z.im[k] = -(evenIm + oddRe);
+            re[m] = evenRe + oddIm;
+            im[m] = evenIm - oddRe;
+            re[k] = evenRe - oddIm;
+            im[k] = -(evenIm + oddRe);
         }
-        z = complex(z);
+    }
+
+    private double[] unloaded(ComplexDft.Rows z, int count) {
         double scale = 1.0 / half;
-        double[] out = new double[length];
-        for (int k = 0; k < half; k++) {
-            out[2 * k] = z.re[k] * scale;
-            out[2 * k + 1] = z.im[k] * -scale;
+        double[] out = new double[count];
+        for (int row = 0, n = 0; n < count; row++) {
+            double[] even = z.re()[row];
+            double[] odd = z.im()[row];
+            int whole = Math.min(even.length, (count - n) / 2);
+            for (int i = 0; i < whole; i++, n += 2) {
+                out[n] = even[i] * scale;
+                out[n + 1] = odd[i] * -scale;
+            }
+            if (whole < even.length && n < count) {
+                out[n++] = even[whole] * scale;
+            }
         }
         return out;
     }
 
-    /** Complex numbers, real parts and imaginary parts each side by side, so that steps of many at once are plain loops over arrays. */
-    private static final class Halves {
-        final double[] re;
-        final double[] im;
+    /** What comes after an end is 0. */
+    private static double at(double[] of, int i) {
+        return i < of.length ? of[i] : 0;
+    }
 
-        Halves(int count) {
-            re = new double[count];
-            im = new double[count];
+    private static void join(double[][] rows, double[] joined) {
+        for (int row = 0; row < rows.length; row++) {
+            System.arraycopy(rows[row], 0, joined, row * rows[row].length, rows[row].length);
         }
     }
 
-    /**
-     * Complex transform of half values.
-     *
-     * @param x consumed
-     */
-    private Halves complex(Halves x) {
-        Halves from = x;
-        Halves to = new Halves(half);
-        int n = half;
-        int stride = 1;
-        while (n > 1) {
-            int radix = n % 4 == 0 ? 4 : n % 2 == 0 ? 2 : n % 3 == 0 ? 3 : 5;
-            int m = n / radix;
-            pass(from, to, radix, m, stride);
-            Halves swap = from;
-            from = to;
-            to = swap;
-            n = m;
-            stride *= radix;
-        }
-        return from;
-    }
-
-    /** One step of decimation in frequency: y[q + s (r p + j)] = w^(pj) Σ_i x[q + s (p + m i)] exp(-j2π ij/r). */
-    private void pass(Halves x, Halves y, int radix, int m, int stride) {
-        int turn = length / (radix * m);
-        int part = stride * m;
-        for (int p = 0; p < m; p++) {
-            double c = cosine[turn * p];
-            double s = sine[turn * p];
-            int from = stride * p;
-            int to = radix * stride * p;
-            if (radix == 4) {
-                four(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
-            } else if (radix == 2) {
-                two(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
-            } else if (radix == 3) {
-                three(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
-            } else {
-                five(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
-            }
+    private static void part(double[] joined, double[][] rows) {
+        for (int row = 0; row < rows.length; row++) {
+            System.arraycopy(joined, row * rows[row].length, rows[row], 0, rows[row].length);
         }
     }
 
-    /**
-     * So many sums of four values each, turned by multiples of an angle, of which c and s are cosine and sine; likewise of two, three and
-     * five.
-     */
-    private static void four(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
-            double s) {
-        double c2 = c * c - s * s;
-        double s2 = 2 * c * s;
-        double c3 = c * c2 - s * s2;
-        double s3 = s * c2 + c * s2;
-        for (int q = 0; q < count; q++) {
-            int a = from + q;
-            int b = to + q;
-            double apcRe = re[a] + re[a + 2 * part];
-            double apcIm = im[a] + im[a + 2 * part];
-            double amcRe = re[a] - re[a + 2 * part];
-            double amcIm = im[a] - im[a + 2 * part];
-            double bpdRe = re[a + part] + re[a + 3 * part];
-            double bpdIm = im[a + part] + im[a + 3 * part];
-            double bmdRe = re[a + part] - re[a + 3 * part];
-            double bmdIm = im[a + part] - im[a + 3 * part];
-            outRe[b] = apcRe + bpdRe;
-            outIm[b] = apcIm + bpdIm;
-            turned(outRe, outIm, b + count, amcRe + bmdIm, amcIm - bmdRe, c, s);
-            turned(outRe, outIm, b + 2 * count, apcRe - bpdRe, apcIm - bpdIm, c2, s2);
-            turned(outRe, outIm, b + 3 * count, amcRe - bmdIm, amcIm + bmdRe, c3, s3);
+    private Room room() {
+        Room room = idle.poll();
+        return room == null ? new Room(halves) : room;
+    }
+
+    private void leave(Room room) {
+        if (half <= KEPT) {
+            idle.add(room);
         }
     }
 
-    private static void two(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
-            double s) {
-        for (int q = 0; q < count; q++) {
-            int a = from + q;
-            int b = to + q;
-            outRe[b] = re[a] + re[a + part];
-            outIm[b] = im[a] + im[a + part];
-            turned(outRe, outIm, b + count, re[a] - re[a + part], im[a] - im[a + part], c, s);
-        }
-    }
+    /** What one transform is worked out in. */
+    private final class Room {
+        final ComplexDft.Rows sequence;
+        final ComplexDft.Rows spectrum;
+        final double[] re = new double[half];
+        final double[] im = new double[half];
 
-    private static void three(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
-            double s) {
-        double h = Math.sqrt(3) / 2;
-        double c2 = c * c - s * s;
-        double s2 = 2 * c * s;
-        for (int q = 0; q < count; q++) {
-            int a = from + q;
-            int b = to + q;
-            double sumRe = re[a + part] + re[a + 2 * part];
-            double sumIm = im[a + part] + im[a + 2 * part];
-            double difRe = h * (re[a + part] - re[a + 2 * part]);
-            double difIm = h * (im[a + part] - im[a + 2 * part]);
-            double midRe = re[a] - sumRe / 2;
-            double midIm = im[a] - sumIm / 2;
-            outRe[b] = re[a] + sumRe;
-            outIm[b] = im[a] + sumIm;
-            turned(outRe, outIm, b + count, midRe + difIm, midIm - difRe, c, s);
-            turned(outRe, outIm, b + 2 * count, midRe - difIm, midIm + difRe, c2, s2);
+        Room(ComplexDft of) {
+            sequence = of.room();
+            spectrum = of.turnedRoom();
         }
-    }
-
-    private static void five(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c,
-            double s) {
-        double a1 = Math.cos(2 * Math.PI / 5);
-        double a2 = Math.cos(4 * Math.PI / 5);
-        double b1 = Math.sin(2 * Math.PI / 5);
-        double b2 = Math.sin(4 * Math.PI / 5);
-        double c2 = c * c - s * s;
-        double s2 = 2 * c * s;
-        double c3 = c * c2 - s * s2;
-        double s3 = s * c2 + c * s2;
-        double c4 = c2 * c2 - s2 * s2;
-        double s4 = 2 * c2 * s2;
-        for (int q = 0; q < count; q++) {
-            int a = from + q;
-            int b = to + q;
-            double p1Re = re[a + part] + re[a + 4 * part];
-            double p1Im = im[a + part] + im[a + 4 * part];
-            double m1Re = re[a + part] - re[a + 4 * part];
-            double m1Im = im[a + part] - im[a + 4 * part];
-            double p2Re = re[a + 2 * part] + re[a + 3 * part];
-            double p2Im = im[a + 2 * part] + im[a + 3 * part];
-            double m2Re = re[a + 2 * part] - re[a + 3 * part];
-            double m2Im = im[a + 2 * part] - im[a + 3 * part];
-            double oneRe = re[a] + a1 * p1Re + a2 * p2Re;
-            double oneIm = im[a] + a1 * p1Im + a2 * p2Im;
-            double twoRe = re[a] + a2 * p1Re + a1 * p2Re;
-            double twoIm = im[a] + a2 * p1Im + a1 * p2Im;
-            double threeRe = b1 * m1Re + b2 * m2Re;
-            double threeIm = b1 * m1Im + b2 * m2Im;
-            double fourRe = b2 * m1Re - b1 * m2Re;
-            double fourIm = b2 * m1Im - b1 * m2Im;
-            outRe[b] = re[a] + p1Re + p2Re;
-            outIm[b] = im[a] + p1Im + p2Im;
-            turned(outRe, outIm, b + count, oneRe + threeIm, oneIm - threeRe, c, s);
-            turned(outRe, outIm, b + 2 * count, twoRe + fourIm, twoIm - fourRe, c2, s2);
-            turned(outRe, outIm, b + 3 * count, twoRe - fourIm, twoIm + fourRe, c3, s3);
-            turned(outRe, outIm, b + 4 * count, oneRe - threeIm, oneIm + threeRe, c4, s4);
-        }
-    }
-
-    /** (u + jv) exp(-jφ), of which c and s are cosine and sine. */
-    private static void turned(double[] re, double[] im, int at, double u, double v, double c, double s) {
-        re[at] = u * c + v * s;
-        im[at] = v * c - u * s;
     }
 }

@@ -6,7 +6,6 @@ import wbv.signal.RealDft;
 /** Series of a record at a whole multiple of its rate, and their spectra at the lines that an {@link Excitation} keeps. */
 final class Grid {
     private final RealDft dft;
-    private final int padded;
     private final int points;
     private final int factor;
     private final int lines;
@@ -19,7 +18,6 @@ final class Grid {
      */
     Grid(int padded, int samples, int lines, int factor) {
         this.dft = new RealDft(padded * factor);
-        this.padded = padded * factor;
         this.points = samples * factor;
         this.factor = factor;
         this.lines = lines;
@@ -36,7 +34,7 @@ final class Grid {
      * @param spectrum Not modified.
      */
     double[] series(double[] spectrum) {
-        double[] out = Arrays.copyOf(dft.inverse(spectrum), points);
+        double[] out = dft.inverse(spectrum, points);
         if (factor > 1) {
             for (int i = 0; i < out.length; i++) {
                 out[i] *= factor;
@@ -48,13 +46,14 @@ final class Grid {
     /**
      * The lines of a series, after whose end is silence.
      *
-     * @param series at most as long as the padded record. Not modified.
+     * @param series of which nothing counts that is beyond the padded record. Not modified.
      */
     double[] spectrum(double[] series) {
-        double[] all = dft.forward(Arrays.copyOf(series, padded));
-        double[] out = new double[2 * lines];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = all[i] / factor;
+        double[] out = dft.forward(series.length > dft.length() ? Arrays.copyOf(series, dft.length()) : series, lines);
+        if (factor > 1) {
+            for (int i = 0; i < out.length; i++) {
+                out[i] /= factor;
+            }
         }
         return out;
     }

@@ -45,7 +45,7 @@ final class Stretch {
         for (int i = 0; i < x.length; i++) {
             x[i] *= taper[i];
         }
-        return Arrays.copyOfRange(transform.forward(x), 2 * FIRST, 2 * (last + 1));
+        return Arrays.copyOfRange(transform.forward(x, last + 1), 2 * FIRST, 2 * (last + 1));
     }
 
     /**

@@ -93,7 +93,7 @@ public final class Window {
                 power += taper[i] * taper[i];
             }
         }
-        double[] all = transform.forward(x);
+        double[] all = transform.forward(x, first + lines);
         double[] out = new double[2 * lines];
         double raised = power > 0 ? Math.sqrt(2 / power) : 0;
         for (int i = 0; i < out.length; i++) {
