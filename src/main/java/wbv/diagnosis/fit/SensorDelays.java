@@ -2,8 +2,11 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import wbv.diagnosis.measured.SmallError;
+import wbv.signal.ScalarProduct;
 
 /**
  * How late sensors are. Delays alone of all small errors are not linear up to the highest line that counts: they are exact about where a
@@ -87,6 +90,35 @@ public final class SensorDelays {
     /** Sizes of errors, in standard deviations, that take back what is exact, where they are asked. */
     double[] takenBack(boolean[] off) {
         return IntStream.range(0, exact.length).mapToDouble(i -> off[i] ? 0 : -exact[i]).toArray();
+    }
+
+    /**
+     * How odd it is [1] that some sensors are as late as they are against the input's and all others: by how much less the squares of all
+     * delays add up to at least, in standard deviations, if theirs were not scatter. Of sensors that only scatter it is distributed as χ²
+     * of as many degrees of freedom, however many there are beside them; data tell no delay but against the input's.
+     *
+     * @param outputs of these sensors
+     * @param sizes one an error, in standard deviations [1]. Not modified.
+     * @param off errors that are not asked, see {@link Nuisances#off}. Not modified.
+     * @return [1]
+     */
+    public double oddness(Set<Integer> outputs, double[] sizes, boolean[] off) {
+        return least(sizes, off, owner -> true) - least(sizes, off, owner -> !outputs.contains(owner));
+    }
+
+    /** Least sum of squares of the delays of the input's sensor and of some others [1]. */
+    private double least(double[] sizes, boolean[] off, IntPredicate scatters) {
+        int[] inputs = delays(off).filter(i -> errors.get(i).isInput()).toArray();
+        double input = IntStream.of(inputs).mapToDouble(i -> sizes[i]).sum();
+        double[] against = delays(off).filter(i -> !errors.get(i).isInput() && scatters.test(errors.get(i).owner()))
+                .mapToDouble(i -> sizes[i] - input).toArray();
+        double sum = Arrays.stream(against).sum();
+        // Least Σ (d + u)² + u² over the input's delay u.
+        return ScalarProduct.of(against, against) - inputs.length * sum * sum / (against.length + 1);
+    }
+
+    private IntStream delays(boolean[] off) {
+        return IntStream.range(0, off.length).filter(i -> errors.get(i).isDelay() && !off[i]);
     }
 
     /**

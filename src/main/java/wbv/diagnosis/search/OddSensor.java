@@ -1,8 +1,9 @@
 package wbv.diagnosis.search;
 
-import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
@@ -13,21 +14,20 @@ import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.fit.SensorDelays;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach;
- * where a fit needs all of that from one sensor and not from the others, nothing is left to be explained, and yet that sensor is at fault.
- * The channels of a device have one clock: that they are late together is as rare as that one is, where the sum of their squares is.
+ * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach, in a
+ * sensor and in the input's; so nothing is left to be explained where one is later than that against all others, and yet it is at fault.
+ * The channels of a device have one clock: that they are late together is as rare as that one is.
  */
 public final class OddSensor {
 
-    /** How rarely one sensor's delay stands at its bound, on either side. */
+    /** How rarely a recording has a sensor so odd by chance, on either side. */
     private static final double RARE = 2 * new NormalDistribution().cumulativeProbability(-SmallError.MOST);
-    /** Part of its bound at which a delay stands that a fit holds there [1]. */
-    private static final double AT_BOUND = 0.999;
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -38,17 +38,17 @@ public final class OddSensor {
         this.refinement = refinement;
     }
 
-    /** The fit with the one sensor late that is odd; empty where none is, or more than one, or where the others want more then. */
+    /** The fit with the sensor late that is odd; empty where none is, or where others are beside it. */
     public Optional<Fitter.State> in(Fitter.State base) {
-        List<Integer> odd = odd(base);
-        if (odd.size() != 1) {
-            return Optional.empty();
-        }
+        return oddest(base).flatMap(output -> late(base, output)).filter(fit -> oddest(fit).isEmpty());
+    }
+
+    private Optional<Fitter.State> late(Fitter.State base, int output) {
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
         return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
-                .filter(h -> h.additions().get(0) instanceof Addition.AtSensor at && at.output() == odd.get(0)
+                .filter(h -> h.additions().get(0) instanceof Addition.AtSensor at && at.output() == output
                         && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
-                .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty());
+                .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed());
     }
 
     private Fitter.State late(Fitter.State base, Hypothesis hypothesis) {
@@ -63,19 +63,22 @@ public final class OddSensor {
         return new Place(Place.Kind.DEVICE, output).channels(evidence);
     }
 
-    /**
-     * Sensors whose delays stand at their bounds, devices all of whose channels are late or early by as much together: first outputs of
-     * them.
-     */
-    private List<Integer> odd(Fitter.State fit) {
-        double deviation = SmallError.Kind.DELAY.deviation() * evidence.measured().sample();
-        return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
-            double[] late = device(o).stream()
-                    .mapToDouble(channel -> fit.frame().nuisances().delays().of(channel, fit.errors()) / deviation)
-                    .toArray();
-            double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
-            return Arrays.stream(late).map(z -> z * z).sum() > AT_BOUND * AT_BOUND * most
-                    && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
-        }).boxed().toList();
+    /** First output of the device that is odd, of several the oddest. */
+    private Optional<Integer> oddest(Fitter.State fit) {
+        int[] devices = IntStream.range(0, evidence.outputs().size()).filter(output -> device(output).get(0) == output).toArray();
+        return IntStream.of(devices).boxed().filter(output -> rarity(output, fit) * devices.length < RARE)
+                .min(Comparator.comparingDouble(output -> rarity(output, fit)));
+    }
+
+    /** Probability that a device's channels, all late or all early, are by chance so much later than all others are. */
+    private double rarity(int output, Fitter.State fit) {
+        SensorDelays delays = fit.frame().nuisances().delays();
+        boolean[] off = fit.frame().nuisances().off(fit.candidate());
+        List<Integer> channels = device(output);
+        boolean together = Math.abs(channels.stream().mapToDouble(o -> Math.signum(delays.of(o, fit.errors()))).sum()) == channels.size();
+        return together
+                ? 1 - new ChiSquaredDistribution(channels.size())
+                        .cumulativeProbability(delays.oddness(Set.copyOf(channels), fit.errors(), off))
+                : 1;
     }
 }
