@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
@@ -86,8 +87,16 @@ final class Grounds {
      * data that both have: those are the errors that are reported.
      */
     boolean foretells(Fitter.State fit) {
-        SeenErrors errors = new SeenErrors(evidence());
-        return errors.of(fit) < errors.of(base());
+        return foretold(fit) < foretold(base());
+    }
+
+    /** The same, or does worse by chance alone. */
+    boolean foretellsAsWell(Fitter.State fit) {
+        return foretold(fit) < foretold(base()) + Calibration.standard().chance() * evidence().outputs().size();
+    }
+
+    private double foretold(Fitter.State fit) {
+        return new SeenErrors(evidence()).of(fit);
     }
 
     /**

@@ -78,12 +78,14 @@ final class Verdicts {
         });
     }
 
-    /** Whether a fit with a sensor's fault leaves nothing, and does no worse than without it on data not used. */
+    /**
+     * Whether a fit with a sensor's fault leaves nothing, and on data not used no more than without it but by chance: what is late within
+     * the reach of small errors is foretold by these as well.
+     */
     private boolean isQuiet(Fitter.State fit) {
         double held = grounds.refinement().heldOut(fit);
-        // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
         return held < grounds.heldBefore() + Calibration.standard().chance() && grounds.isQuiet(fit.reduced(), held)
-                && grounds.foretells(fit);
+                && grounds.foretellsAsWell(fit);
     }
 
     /** No name: nothing to find, nothing found, or not even that. */
