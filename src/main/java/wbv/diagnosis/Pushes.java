@@ -51,6 +51,13 @@ final class Pushes {
      * @param base that model, fitted without
      */
     static boolean isAll(Evidence evidence, Fitter.State base, BodyForce push) {
+        return evidence.known().once(new Asked(base, push.body()), Boolean.class, () -> leavesNoise(evidence, base, push));
+    }
+
+    /** A push on a body, as a fit leaves it. */
+    private record Asked(Fitter.State base, int body) {}
+
+    private static boolean leavesNoise(Evidence evidence, Fitter.State base, BodyForce push) {
         Evidence knowing = evidence.with(push);
         Search search = new Search(knowing, (step, share) -> {});
         Fitter.State left = search.base(base.candidate());
