@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
+import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -43,19 +44,31 @@ public final class OddSensor {
         return oddest(base).flatMap(output -> late(base, output)).filter(fit -> oddest(fit).isEmpty());
     }
 
+    /** The best with that clock off: the sensor's, or the input's where there is no more than one of either and the sign says so. */
     private Optional<Fitter.State> late(Fitter.State base, int output) {
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
         return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
-                .filter(h -> h.additions().get(0) instanceof Addition.AtSensor at && at.output() == output
-                        && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
-                .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed());
+                .filter(h -> isLate(h, output)).map(h -> late(base, h, output)).filter(fit -> !fit.failed() && !Search.extreme(fit))
+                .min(Comparator.comparingDouble(Fitter.State::reduced));
     }
 
-    private Fitter.State late(Fitter.State base, Hypothesis hypothesis) {
+    private boolean isLate(Hypothesis hypothesis, int output) {
+        Addition added = hypothesis.additions().get(0);
+        boolean sensor = added instanceof Addition.AtSensor at && at.output() == output && at.fault() instanceof SensorFault.Delay;
+        boolean alone = evidence.outputs().size() == 1 && evidence.model().inputs().size() == 1;
+        return (sensor || alone && isInput(added)) && !hypothesis.byTheClock();
+    }
+
+    private static boolean isInput(Addition added) {
+        return added instanceof Addition.Driven driven && driven.drive() instanceof Drive.Late;
+    }
+
+    private Fitter.State late(Fitter.State base, Hypothesis hypothesis, int output) {
         Candidate with = base.candidate().with(hypothesis);
+        double delay = device(output).stream().mapToDouble(o -> base.frame().nuisances().delays().of(o, base.errors())).average()
+                .orElseThrow();
         double[] start = hypothesis.starts().get(0).values().clone();
-        int output = ((Addition.AtSensor) hypothesis.additions().get(0)).output();
-        start[0] = device(output).stream().mapToDouble(o -> base.frame().nuisances().delays().of(o, base.errors())).average().orElseThrow();
+        start[0] = isInput(hypothesis.additions().get(0)) ? -delay : delay;
         return refinement.polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }
 
