@@ -10,7 +10,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
  */
 public final class RealDft {
 
-    /** Points up to which room is kept for the next transform, so that it stays in a processor's cache: where it would not, it is not. */
+    /** Complex points up to which room is kept for the next transform: an effort, 6 MB for each thread at most. */
     private static final int KEPT = 1 << 17;
 
     private final int length;
@@ -253,7 +253,7 @@ public final class RealDft {
 
     private Room room() {
         Room room = idle.poll();
-        return room == null ? new Room(halves) : room;
+        return room == null ? new Room() : room;
     }
 
     private void leave(Room room) {
@@ -264,14 +264,9 @@ public final class RealDft {
 
     /** What one transform is worked out in. */
     private final class Room {
-        final ComplexDft.Rows sequence;
-        final ComplexDft.Rows spectrum;
+        final ComplexDft.Rows sequence = halves.room();
+        final ComplexDft.Rows spectrum = halves.turnedRoom();
         final double[] re = new double[half];
         final double[] im = new double[half];
-
-        Room(ComplexDft of) {
-            sequence = of.room();
-            spectrum = of.turnedRoom();
-        }
     }
 }

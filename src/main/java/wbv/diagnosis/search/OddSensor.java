@@ -79,8 +79,8 @@ public final class OddSensor {
     /** First output of the device that is odd, of several the oddest. */
     private Optional<Integer> oddest(Fitter.State fit) {
         int[] devices = IntStream.range(0, evidence.outputs().size()).filter(output -> device(output).get(0) == output).toArray();
-        return IntStream.of(devices).boxed().filter(output -> rarity(output, fit) * devices.length < RARE)
-                .min(Comparator.comparingDouble(output -> rarity(output, fit)));
+        return IntStream.of(devices).boxed().min(Comparator.comparingDouble(output -> rarity(output, fit)))
+                .filter(output -> rarity(output, fit) * devices.length < RARE);
     }
 
     /** Probability that a device's channels, all late or all early, are by chance so much later than all others are. */
