@@ -25,6 +25,15 @@ public final class SymmetricFactor {
         return cholesky.decompose(matrix.copy()) ? Optional.of(new SymmetricFactor(cholesky.getT(null))) : Optional.empty();
     }
 
+    /** The natural logarithm of the matrix' determinant, in that of its unit. */
+    public double logDeterminant() {
+        double sum = 0;
+        for (int i = 0; i < lower.numRows; i++) {
+            sum += 2 * Math.log(lower.get(i, i));
+        }
+        return sum;
+    }
+
     /**
      * A⁻¹ b, as long as b, in its unit over that of A. A new array.
      *

@@ -100,7 +100,8 @@ final class ChainSearch {
     }
 
     private FittedChain enriched(FittedChain chain, BiConsumer<String, Double> progress) {
-        return Enrichment.of(chain, known -> nearest(known, arrangements.richer(known.model())), progress);
+        return Enrichment.of(chain, known -> nearest(known, arrangements.richer(known.model())),
+                (known, more) -> !(more.worst() > known.worst() / 2), progress);
     }
 
     private FittedChain nearest(FittedChain known, List<Model> models) {

@@ -9,6 +9,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import wbv.body.Model;
+import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
@@ -86,8 +87,11 @@ final class DrivenSimulation {
     }
 
     private static List<Channel> along(Recording recording, Channel input) {
-        return recording.channels().stream().filter(c -> c.quantity() == Quantity.ACCELERATION && c.axis() == input.axis())
-                .toList();
+        return recording.channels().stream().filter(channel -> along(input, channel)).toList();
+    }
+
+    private static boolean along(Channel input, Channel channel) {
+        return channel.quantity() == Quantity.ACCELERATION && channel.axis() == input.axis();
     }
 
     /** What the simulation gave of a channel, gaps bridged. */
@@ -123,25 +127,38 @@ final class DrivenSimulation {
                 : ", beside what " + others.channels().stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
         AssumedMass mass = AssumedMass.of(simulated.mass(), recording.metadata());
         Model model = mass.told(mass.given(chain.model()).seenBy(recording.channels()), name, how);
-        return surrogate(model, SimulatedPlane.outputs(model, taken.driven()), this::given, chain.errors());
+        return surrogate(model, SimulatedPlane.outputs(model, taken.driven()), this::given, chain.errors(), Map.of());
     }
 
     /** Bodies in a plane, with what the simulation gave beside them. */
     Surrogate surrogate(SimulatedPlane plane, PlaneNet net) {
         AssumedMass mass = AssumedMass.of(simulated.mass(), recording.metadata());
-        Model model = mass.told(plane.model(net, mass.sitting()).declaredAs(simulated.simulates()).seenBy(recording.channels()), name,
+        Model all = mass.told(plane.model(net, mass.sitting()).declaredAs(simulated.simulates()).seenBy(recording.channels()), name,
                 " in the plane of x and z");
-        double[][] own = SimulatedPlane.outputs(model, recording);
-        Map<Channel, Double> errors = new LinkedHashMap<>();
-        for (int o = 0; o < own.length; o++) {
-            Channel sensor = model.outputs().get(o);
-            errors.put(sensor, Missed.settledShare(plane.given(sensor), own[o], recording.clock().rate()));
-        }
-        return surrogate(model, own, plane::given, errors);
+        Map<Channel, Double> missed = missed(plane, all);
+        Map<Channel, Double> errors = new LinkedHashMap<>(missed);
+        errors.entrySet().removeIf(entry -> entry.getValue() > Surrogate.MOST && !along(input, entry.getKey()));
+        missed.keySet().removeAll(errors.keySet());
+        Model model = all.seenBy(errors.keySet());
+        return surrogate(model, SimulatedPlane.outputs(model, recording), plane::given, errors, missed);
     }
 
-    private Surrogate surrogate(Model model, double[][] own, Function<Channel, double[]> given, Map<Channel, Double> errors) {
+    /** What a model in the plane misses of each output, as a share of it in the band that a model is run in: beyond, it does not move. */
+    private Map<Channel, Double> missed(SimulatedPlane plane, Model model) {
+        double[][] own = SimulatedPlane.outputs(model, recording);
+        Excitation band = new Excitation(recording.clock().rate(), new double[recording.length()], Map.of());
+        Map<Channel, Double> out = new LinkedHashMap<>();
+        for (int o = 0; o < own.length; o++) {
+            Channel sensor = model.outputs().get(o);
+            double[] given = band.series(band.spectrum(plane.given(sensor)));
+            out.put(sensor, Missed.settledShare(given, own[o], recording.clock().rate()));
+        }
+        return out;
+    }
+
+    private Surrogate surrogate(Model model, double[][] own, Function<Channel, double[]> given, Map<Channel, Double> errors,
+            Map<Channel, Double> unasked) {
         GivenBeside both = GivenBeside.of(model, own, given, recording);
-        return new Surrogate(both.model(), errors, both.recording(), name);
+        return new Surrogate(both.model(), errors, unasked, both.recording(), name);
     }
 }

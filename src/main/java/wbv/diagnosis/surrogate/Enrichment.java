@@ -1,9 +1,10 @@
 package wbv.diagnosis.surrogate;
 
 import java.util.function.BiConsumer;
+import java.util.function.BiPredicate;
 import java.util.function.UnaryOperator;
 
-/** Bodies and links that nobody measured, added one at a time as long as each halves what is missed. */
+/** Bodies and links that nobody measured, added one at a time as long as each pays for itself. */
 final class Enrichment {
 
     /** What progress is told of as. */
@@ -21,16 +22,18 @@ final class Enrichment {
      * An arrangement with as much more as it takes to do what a simulation did.
      *
      * @param richer the best with one body or link more
+     * @param pays whether that, the second, is worth its numbers beside the first
      * @param progress told the step and the share of it that is done, 0 to 1
      */
-    static <F extends FittedNet> F of(F plain, UnaryOperator<F> richer, BiConsumer<String, Double> progress) {
+    static <F extends FittedNet> F of(F plain, UnaryOperator<F> richer, BiPredicate<F, F> pays,
+            BiConsumer<String, Double> progress) {
         F best = plain;
-        boolean halved = true;
-        for (int added = 0; added < MOST && halved && best.worst() > FittedNet.GOOD; added++) {
+        boolean paid = true;
+        for (int added = 0; added < MOST && paid && best.worst() > FittedNet.GOOD; added++) {
             progress.accept(STEP, (1.0 + added) / (1 + MOST));
             F more = richer.apply(best);
-            halved = !(more.worst() > best.worst() / 2);
-            best = halved ? more : best;
+            paid = pays.test(best, more);
+            best = paid ? more : best;
         }
         return best;
     }

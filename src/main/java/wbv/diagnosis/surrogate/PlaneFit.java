@@ -56,7 +56,7 @@ final class PlaneFit {
                 damping *= 5;
             }
         }
-        return new FittedPlane(net, Arrays.stream(now.missed()).map(Math::sqrt).toArray(), now.cost());
+        return new FittedPlane(net, Arrays.stream(now.missed()).map(Math::sqrt).toArray(), now.cost(), now.evidence(net));
     }
 
     private static PlaneNet moved(PlaneNet net, PlaneNormal normal, double damping) {

@@ -3,6 +3,8 @@ package wbv.diagnosis.surrogate;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Parallel;
 
 /**
@@ -67,6 +69,21 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
             slope[i] = weight * slope[i] - pull / spread[i];
         }
         return new PlaneNormal(square, slope, missed, Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum);
+    }
+
+    /**
+     * The logarithm of the evidence where the fit has settled, see {@link FittedPlane}: what is the likeliest costs, and how much narrower
+     * than their spread the numbers are known, which arrangements with more of them pay for.
+     */
+    double evidence(PlaneNet net) {
+        double[] spread = net.spread();
+        DMatrixRMaj known = new DMatrixRMaj(spread.length, spread.length);
+        for (int i = 0; i < spread.length; i++) {
+            for (int j = 0; j < spread.length; j++) {
+                known.set(i, j, spread[i] * spread[j] * square[i][j]);
+            }
+        }
+        return SymmetricFactor.of(known).map(factor -> -(cost + factor.logDeterminant()) / 2).orElse(Double.NEGATIVE_INFINITY);
     }
 
     /** The part of some lines, unweighed. */

@@ -72,7 +72,8 @@ final class PlaneSearch {
 
     /** With as much more as it takes to do what was computed. */
     FittedPlane enriched(PlaneNet plain) {
-        return Enrichment.of(fit.fit(plain), known -> best(richer(known.net())), progress);
+        return Enrichment.of(fit.fit(plain), known -> best(richer(known.net())),
+                (known, more) -> more.evidence() > known.evidence(), progress);
     }
 
     /** The one that a few steps bring nearest, fitted to the end. */

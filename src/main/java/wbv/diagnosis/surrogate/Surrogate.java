@@ -28,16 +28,19 @@ import wbv.recording.Recording;
  *
  * @param model  with a sensor for every output that the recording has too, to which the recording's further channels add
  * @param errors root mean square of what the model misses of an output over that of the output, by channel of the simulation
+ * @param unasked the same of outputs across the input's axis of which it misses too much: nothing is known of what a change of the
+ *                simulation would do to them, and the model does not read them
  * @param recording the part of the recording that the simulation covers, with what the simulation gave beside the model
  * @param name   what messages call the simulation
  */
-public record Surrogate(Model model, Map<Channel, Double> errors, Recording recording, String name) {
+public record Surrogate(Model model, Map<Channel, Double> errors, Map<Channel, Double> unasked, Recording recording, String name) {
 
     /** A surrogate that misses a greater share of an output is none. */
     static final double MOST = 0.1;
 
     public Surrogate {
         errors = Collections.unmodifiableMap(new LinkedHashMap<>(errors));
+        unasked = Collections.unmodifiableMap(new LinkedHashMap<>(unasked));
         if (!model.outputs().stream().allMatch(recording::has)) {
             throw new IllegalArgumentException("a surrogate reads what was recorded: " + model.outputs());
         }
@@ -145,8 +148,13 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     public String sentence() {
         return !isGood()
                 ? name + " is held against the recording as it is: sensors explain what they differ by, and no model of it is needed"
-                : model.source().orElse("") + ": " + chain() + "; misses " + errors.entrySet().stream()
-                        .map(entry -> percent(entry.getValue()) + " of " + entry.getKey()).collect(Collectors.joining(", "));
+                : model.source().orElse("") + ": " + chain() + "; misses " + shares(errors)
+                        + (unasked.isEmpty() ? "" : "; not asked, since it misses " + shares(unasked));
+    }
+
+    private static String shares(Map<Channel, Double> missed) {
+        return missed.entrySet().stream().map(entry -> percent(entry.getValue()) + " of " + entry.getKey())
+                .collect(Collectors.joining(", "));
     }
 
     private static String percent(double share) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.api.Tag;
@@ -83,6 +84,67 @@ class SimulatedPlaneTest {
         assertEquals(40.0 / 6, net.parts().get(0).mass() / net.parts().get(1).mass(), 1.5);
     }
 
+    /** Viscera and legs that hang loose: no sensor is on them, and neither alone makes up for half of what the other does. */
+    @Test
+    void bodiesThatNobodyMeasuredAreFoundThoughNoneHalvesWhatIsMissed() {
+        Recording ride = ride(new Well19937c(7), 4800);
+        Map<Channel, double[]> simulated = simulated(ModelFile.parse(LOOSE, "loose"), ride);
+        SimulatedPlane plane = SimulatedPlane.of(ride, simulated, INPUT, List.of("pelvis", "head")).orElseThrow();
+        PlaneNet net = plane.best(plane.plain(), (step, share) -> {});
+        assertEquals(List.of("pelvis", "head", "unmeasured1", "unmeasured2"), net.parts().stream().map(PlaneNet.Part::name).toList());
+        Model found = plane.model(net, 63);
+        double[][] read = SimulatedPlane.outputs(found, ride);
+        for (int o = 0; o < read.length; o++) {
+            double missed = Missed.share(simulated.get(found.outputs().get(o)), read[o], 180);
+            assertTrue(missed < 0.02, found.outputs().get(o) + " misses " + missed);
+        }
+    }
+
+    /** Of a simulation whose head is said to move along x as no linear body does, all but that is asked; along z it would be refused. */
+    @Test
+    void whatNoBodyInThePlaneDoesIsNotAsked() {
+        Recording ride = ride(new Well19937c(8), 2400);
+        Map<Channel, double[]> simulated = simulated(ModelFile.parse(TWO_BODIES, "two bodies"), ride);
+        Channel strange = Channel.parse("head.acc.x");
+        simulated.put(strange, new java.util.Random(9).doubles(2400, -1, 1).toArray());
+        Surrogate found = surrogate(ride, simulated);
+        assertEquals(Set.of(strange), found.unasked().keySet());
+        assertTrue(!found.model().outputs().contains(strange) && found.model().outputs().size() == 5, found.model().outputs().toString());
+        assertTrue(found.sentence().contains("; not asked, since it misses 1"), found.sentence());
+    }
+
+    /** Noise of what drove a simulation above the band that models are run in. */
+    @Test
+    void whatLiesBeyondTheBandIsNotMissed() {
+        Recording ride = ride(new Well19937c(10), 2400);
+        Map<Channel, double[]> simulated = simulated(ModelFile.parse(TWO_BODIES, "two bodies"), ride);
+        Channel head = Channel.parse("head.acc.x");
+        double[] shrill = simulated.get(head).clone();
+        java.util.Arrays.setAll(shrill, i -> shrill[i] + 0.3 * Math.sin(2 * Math.PI * 28.5 * i / 60));
+        simulated.put(head, shrill);
+        Surrogate found = surrogate(ride, simulated);
+        assertEquals(0, found.errors().get(head), 0.02);
+    }
+
+    private static Surrogate surrogate(Recording ride, Map<Channel, double[]> simulated) {
+        Map<Channel, double[]> all = new LinkedHashMap<>(simulated);
+        ride.channels().forEach(channel -> all.put(channel, ride.values(channel)));
+        return Surrogate.of(new Recording(ride.clock(), all, Metadata.NONE),
+                Simulated.of(new Recording(ride.clock(), simulated, Metadata.NONE), "sim.csv", INPUT), (step, share) -> {});
+    }
+
+    /** What a model does to first order, by channel. */
+    private static Map<Channel, double[]> simulated(Model model, Recording ride) {
+        Model.Base base = model.base();
+        Model flat = new Model(model.name(), model.source(), model.axis(),
+                new Model.Base(base.name(), base.sensor(), 0, base.further(), java.util.Optional.empty()),
+                model.bodies(), model.links(), model.inputs(), model.declared(), model.sensors());
+        double[][] read = SimulatedPlane.outputs(flat, ride);
+        Map<Channel, double[]> out = new LinkedHashMap<>();
+        IntStream.range(0, read.length).forEach(o -> out.put(model.outputs().get(o), read[o]));
+        return out;
+    }
+
     /** Along one axis there is no plane. */
     @Test
     void verticalsAloneAreNoPlane() {
@@ -135,4 +197,19 @@ class SimulatedPlaneTest {
                {"from": "pelvis", "to": "head", "along": "x", "at_m": [0, 0.55], "stiffness_N_per_m": 16000, "damping_Ns_per_m": 150},
                {"from": "pelvis", "to": "head", "about": "y", "stiffness_Nm_per_rad": 60, "damping_Nms_per_rad": 1.5}]}
             """;
+
+    private static final String LOOSE = TWO_BODIES.replace("\"bodies\": [", """
+            "bodies": [
+               {"name": "viscera", "at_m": [0.05, 0.35], "mass_kg": 8}, {"name": "legs", "at_m": [0.25, 0.15], "mass_kg": 9},
+            """).replace("\"links\": [", """
+            "links": [
+               {"from": "pelvis", "to": "viscera", "along": "z", "at_m": [0.05, 0.35], "stiffness_N_per_m": 9000,
+                "damping_Ns_per_m": 130},
+               {"from": "pelvis", "to": "viscera", "along": "x", "at_m": [0.05, 0.35], "stiffness_N_per_m": 8000,
+                "damping_Ns_per_m": 130},
+               {"from": "pelvis", "to": "legs", "along": "z", "at_m": [0.25, 0.15], "stiffness_N_per_m": 20000,
+                "damping_Ns_per_m": 250},
+               {"from": "pelvis", "to": "legs", "along": "x", "at_m": [0.25, 0.15], "stiffness_N_per_m": 60000,
+                "damping_Ns_per_m": 400},
+            """);
 }
