@@ -19,6 +19,12 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
 
     /** Work is dealt out in so many pieces, whatever the cores, so that sums do not hang on them. */
     private static final int PIECES = 8;
+    /**
+     * Of Student's distribution, assumed: many make one output that no body moves hide the others, few give up one that is a little worse.
+     */
+    private static final double FREEDOM = 20;
+    /** After which it is the likeliest to a ten-thousandth, wherever it begins. */
+    private static final int SCALE_STEPS = 100;
 
     /**
      * Of a net that is to do what spectra say.
@@ -30,45 +36,91 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
         List<MatrixSlope> slopes = MatrixSlope.of(net);
         int lines = spectra.omega().length;
         int piece = (lines + PIECES - 1) / PIECES;
-        List<PlaneNormal> parts = Parallel.map(IntStream.range(0, PIECES).boxed().toList(),
+        List<List<Share>> parts = Parallel.map(IntStream.range(0, PIECES).boxed().toList(),
                 p -> part(spectra, matrices, slopes, p * piece, Math.min(lines, (p + 1) * piece)));
-        PlaneNormal sum = zero(slopes.size(), spectra.outputs().size());
-        parts.forEach(sum::add);
-        return sum.weighed(net, least);
+        return weighed(parts, net, least);
     }
 
-    private static PlaneNormal zero(int numbers, int outputs) {
-        return new PlaneNormal(new double[numbers][numbers], new double[numbers], new double[outputs], 0);
-    }
+    /** The part of one output in some lines, unweighed, its square's upper half empty. */
+    private record Share(double[][] square, double[] slope, double[] missed) {
+        static Share zero(int numbers) {
+            return new Share(new double[numbers][numbers], new double[numbers], new double[1]);
+        }
 
-    private void add(PlaneNormal part) {
-        Arrays.setAll(slope, i -> slope[i] + part.slope[i]);
-        Arrays.setAll(missed, o -> missed[o] + part.missed[o]);
-        for (int i = 0; i < square.length; i++) {
-            double[] row = square[i];
-            double[] more = part.square[i];
-            Arrays.setAll(row, j -> row[j] + more[j]);
+        /** @param changes of the output by number, error likewise: real and imaginary part side by side */
+        void gather(double[] changes, double[] error) {
+            missed[0] += error[0] * error[0] + error[1] * error[1];
+            for (int p = 0; p < slope.length; p++) {
+                double re = changes[2 * p];
+                double im = changes[2 * p + 1];
+                slope[p] -= re * error[0] + im * error[1];
+                double[] row = square[p];
+                for (int q = 0; q <= p; q++) {
+                    row[q] += re * changes[2 * q] + im * changes[2 * q + 1];
+                }
+            }
         }
     }
 
-    /** The same where what is missed counts once a motion, by its likeliest variance, and numbers are expected where they are usual. */
-    private PlaneNormal weighed(PlaneNet net, double least) {
+    /**
+     * What is missed of an output counts once a motion, all of them with one scale, the likeliest, and Student's tails (Lange, Little and
+     * Taylor 1989): an output that no body in the plane moves does not hide what the others say. Numbers are expected where they are usual.
+     *
+     * @param parts by piece and output
+     */
+    private static PlaneNormal weighed(List<List<Share>> parts, PlaneNet net, double least) {
         double[] at = net.at();
         double[] usual = net.usual();
         double[] spread = net.spread();
-        double variance = least * least + Arrays.stream(missed).average().orElseThrow();
-        double sum = net.motions() * missed.length * Math.log(variance);
-        double weight = net.motions() / variance;
+        double[] missed = new double[parts.get(0).size()];
+        Arrays.setAll(missed, o -> parts.stream().mapToDouble(part -> part.get(o).missed[0]).sum());
+        double[] squares = Arrays.stream(missed).map(share -> least * least + share).toArray();
+        int motions = net.motions();
+        double scale = scale(squares, motions);
+        double[][] square = new double[at.length][at.length];
+        double[] slope = new double[at.length];
+        double sum = 0;
+        for (int o = 0; o < missed.length; o++) {
+            Share[] shares = shares(parts, o);
+            double tail = FREEDOM + motions * squares[o] / scale;
+            sum += motions * Math.log(scale) + (FREEDOM + motions) * Math.log(tail / FREEDOM);
+            for (Share share : shares) {
+                add(share, motions / scale * (FREEDOM + motions) / tail, square, slope);
+            }
+        }
         for (int i = 0; i < at.length; i++) {
             double pull = (at[i] - usual[i]) / spread[i];
             sum += pull * pull;
-            for (int j = 0; j < at.length; j++) {
-                square[i][j] *= weight;
+            for (int j = 0; j < i; j++) {
+                square[j][i] = square[i][j];
             }
             square[i][i] += 1 / (spread[i] * spread[i]);
-            slope[i] = weight * slope[i] - pull / spread[i];
+            slope[i] -= pull / spread[i];
         }
         return new PlaneNormal(square, slope, missed, Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum);
+    }
+
+    private static Share[] shares(List<List<Share>> parts, int output) {
+        return parts.stream().map(part -> part.get(output)).toArray(Share[]::new);
+    }
+
+    /** The likeliest scale of squares with such tails, by steps each of which is likelier than the last. */
+    private static double scale(double[] squares, int motions) {
+        double scale = Arrays.stream(squares).average().orElseThrow();
+        for (int step = 0; step < SCALE_STEPS; step++) {
+            double last = scale;
+            scale = Arrays.stream(squares).map(own -> own * (FREEDOM + motions) / (FREEDOM + motions * own / last)).average().orElseThrow();
+        }
+        return scale;
+    }
+
+    private static void add(Share share, double weight, double[][] square, double[] slope) {
+        for (int i = 0; i < slope.length; i++) {
+            slope[i] += weight * share.slope[i];
+            for (int j = 0; j <= i; j++) {
+                square[i][j] += weight * share.square[i][j];
+            }
+        }
     }
 
     /**
@@ -86,43 +138,23 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
         return SymmetricFactor.of(known).map(factor -> -(cost + factor.logDeterminant()) / 2).orElse(Double.NEGATIVE_INFINITY);
     }
 
-    /** The part of some lines, unweighed. */
-    private static PlaneNormal part(PlaneSpectra spectra, PlaneMatrices matrices, List<MatrixSlope> slopes, int from, int to) {
+    /** The parts of some lines, by output. */
+    private static List<Share> part(PlaneSpectra spectra, PlaneMatrices matrices, List<MatrixSlope> slopes, int from, int to) {
         int numbers = slopes.size();
-        int outputs = spectra.outputs().size();
-        PlaneNormal out = zero(numbers, outputs);
+        List<Share> out = spectra.outputs().stream().map(output -> Share.zero(numbers)).toList();
         PlaneResponse response = new PlaneResponse(spectra, matrices);
         double[] error = new double[2];
         double[] changes = new double[2 * numbers];
         for (int k = from; k < to; k++) {
             response.at(k);
-            for (int o = 0; o < outputs; o++) {
+            for (int o = 0; o < out.size(); o++) {
                 response.error(o, error);
-                out.missed[o] += error[0] * error[0] + error[1] * error[1];
                 for (int p = 0; p < numbers; p++) {
                     response.slope(slopes.get(p), o, changes, p);
                 }
-                out.gather(changes, error);
-            }
-        }
-        for (int p = 0; p < numbers; p++) {
-            for (int q = 0; q < p; q++) {
-                out.square[q][p] = out.square[p][q];
+                out.get(o).gather(changes, error);
             }
         }
         return out;
-    }
-
-    /** Adds one output at one line, to the lower half of the square. */
-    private void gather(double[] changes, double[] error) {
-        for (int p = 0; p < slope.length; p++) {
-            double re = changes[2 * p];
-            double im = changes[2 * p + 1];
-            slope[p] -= re * error[0] + im * error[1];
-            double[] row = square[p];
-            for (int q = 0; q <= p; q++) {
-                row[q] += re * changes[2 * q] + im * changes[2 * q + 1];
-            }
-        }
     }
 }
