@@ -42,14 +42,19 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
     }
 
     /** The part of one output in some lines, unweighed, its square's upper half empty. */
-    private record Share(double[][] square, double[] slope, double[] missed) {
-        static Share zero(int numbers) {
-            return new Share(new double[numbers][numbers], new double[numbers], new double[1]);
+    private static final class Share {
+        private final double[][] square;
+        private final double[] slope;
+        private double missed;
+
+        Share(int numbers) {
+            square = new double[numbers][numbers];
+            slope = new double[numbers];
         }
 
         /** @param changes of the output by number, error likewise: real and imaginary part side by side */
         void gather(double[] changes, double[] error) {
-            missed[0] += error[0] * error[0] + error[1] * error[1];
+            missed += error[0] * error[0] + error[1] * error[1];
             for (int p = 0; p < slope.length; p++) {
                 double re = changes[2 * p];
                 double im = changes[2 * p + 1];
@@ -73,7 +78,7 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
         double[] usual = net.usual();
         double[] spread = net.spread();
         double[] missed = new double[parts.get(0).size()];
-        Arrays.setAll(missed, o -> parts.stream().mapToDouble(part -> part.get(o).missed[0]).sum());
+        Arrays.setAll(missed, o -> parts.stream().mapToDouble(part -> part.get(o).missed).sum());
         double[] squares = Arrays.stream(missed).map(share -> least * least + share).toArray();
         int motions = net.motions();
         double scale = scale(squares, motions);
@@ -81,11 +86,10 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
         double[] slope = new double[at.length];
         double sum = 0;
         for (int o = 0; o < missed.length; o++) {
-            Share[] shares = shares(parts, o);
             double tail = FREEDOM + motions * squares[o] / scale;
             sum += motions * Math.log(scale) + (FREEDOM + motions) * Math.log(tail / FREEDOM);
-            for (Share share : shares) {
-                add(share, motions / scale * (FREEDOM + motions) / tail, square, slope);
+            for (List<Share> part : parts) {
+                add(part.get(o), motions / scale * (FREEDOM + motions) / tail, square, slope);
             }
         }
         for (int i = 0; i < at.length; i++) {
@@ -98,10 +102,6 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
             slope[i] -= pull / spread[i];
         }
         return new PlaneNormal(square, slope, missed, Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum);
-    }
-
-    private static Share[] shares(List<List<Share>> parts, int output) {
-        return parts.stream().map(part -> part.get(output)).toArray(Share[]::new);
     }
 
     /** The likeliest scale of squares with such tails, by steps each of which is likelier than the last. */
@@ -141,7 +141,7 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
     /** The parts of some lines, by output. */
     private static List<Share> part(PlaneSpectra spectra, PlaneMatrices matrices, List<MatrixSlope> slopes, int from, int to) {
         int numbers = slopes.size();
-        List<Share> out = spectra.outputs().stream().map(output -> Share.zero(numbers)).toList();
+        List<Share> out = spectra.outputs().stream().map(output -> new Share(numbers)).toList();
         PlaneResponse response = new PlaneResponse(spectra, matrices);
         double[] error = new double[2];
         double[] changes = new double[2 * numbers];
