@@ -135,21 +135,22 @@ final class DrivenSimulation {
         AssumedMass mass = AssumedMass.of(simulated.mass(), recording.metadata());
         Model all = mass.told(plane.model(net, mass.sitting()).declaredAs(simulated.simulates()).seenBy(recording.channels()), name,
                 " in the plane of x and z");
-        Map<Channel, Double> missed = missed(plane, all);
+        double[][] own = SimulatedPlane.outputs(all, recording);
+        Map<Channel, Double> missed = missed(plane, all.outputs(), own);
         Map<Channel, Double> errors = new LinkedHashMap<>(missed);
         errors.entrySet().removeIf(entry -> entry.getValue() > Surrogate.MOST && !along(input, entry.getKey()));
         missed.keySet().removeAll(errors.keySet());
         Model model = all.seenBy(errors.keySet());
-        return surrogate(model, SimulatedPlane.outputs(model, recording), plane::given, errors, missed);
+        double[][] asked = model.outputs().stream().map(sensor -> own[all.outputs().indexOf(sensor)]).toArray(double[][]::new);
+        return surrogate(model, asked, plane::given, errors, missed);
     }
 
     /** What a model in the plane misses of each output, as a share of it in the band that a model is run in: beyond, it does not move. */
-    private Map<Channel, Double> missed(SimulatedPlane plane, Model model) {
-        double[][] own = SimulatedPlane.outputs(model, recording);
+    private Map<Channel, Double> missed(SimulatedPlane plane, List<Channel> sensors, double[][] own) {
         Excitation band = new Excitation(recording.clock().rate(), new double[recording.length()], Map.of());
         Map<Channel, Double> out = new LinkedHashMap<>();
         for (int o = 0; o < own.length; o++) {
-            Channel sensor = model.outputs().get(o);
+            Channel sensor = sensors.get(o);
             double[] given = band.series(band.spectrum(plane.given(sensor)));
             out.put(sensor, Missed.settledShare(given, own[o], recording.clock().rate()));
         }

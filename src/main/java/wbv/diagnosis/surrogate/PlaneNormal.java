@@ -23,7 +23,7 @@ record PlaneNormal(double[][] square, double[] slope, double[] missed, double co
      * Of Student's distribution, assumed: many make one output that no body moves hide the others, few give up one that is a little worse.
      */
     private static final double FREEDOM = 20;
-    /** After which it is the likeliest to a ten-thousandth, wherever it begins. */
+    /** Towards the likeliest scale [1]: an effort, a few microseconds beside a fit's step; assumed to be enough. */
     private static final int SCALE_STEPS = 100;
 
     /**
