@@ -1,5 +1,6 @@
 package wbv.body.simulate;
 
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -16,7 +17,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 final class ExactHold {
 
     private static final double SMALL = 0.5;
-    private static final int TERMS = 20;
+    /** Of the series at matrices no larger than that: the next would be below rounding, 0.5¹⁷/17! = 2e-20. */
+    private static final int TERMS = 17;
 
     final DMatrixRMaj transition;
     final DMatrixRMaj before;
@@ -45,11 +47,12 @@ final class ExactHold {
         double scale = h / Math.pow(2, doublings);
         Phi value = new Phi(n);
         DMatrixRMaj m = scaled(a, scale);
-        value.series(m);
+        DMatrixRMaj[] terms = terms(m);
+        value.series(terms);
         Phi[] slopes = new Phi[parameters];
         for (int i = 0; i < parameters; i++) {
             slopes[i] = new Phi(n);
-            slopes[i].seriesSlope(m, scaled(da[i], scale));
+            slopes[i].seriesSlope(terms, m, scaled(da[i], scale));
         }
         for (int d = 0; d < doublings; d++) {
             for (Phi slope : slopes) {
@@ -65,6 +68,17 @@ final class ExactHold {
             CommonOps_DDRM.addEquals(viaState.before, viaInput.before);
             CommonOps_DDRM.addEquals(viaState.after, viaInput.after);
             out[1 + i] = viaState;
+        }
+        return out;
+    }
+
+    /** M^k / k!, by k. */
+    private static DMatrixRMaj[] terms(DMatrixRMaj m) {
+        DMatrixRMaj[] out = new DMatrixRMaj[TERMS];
+        out[0] = CommonOps_DDRM.identity(m.numRows);
+        for (int k = 1; k < TERMS; k++) {
+            out[k] = new DMatrixRMaj(m.numRows, m.numCols);
+            CommonOps_DDRM.mult(1.0 / k, out[k - 1], m, out[k]);
         }
         return out;
     }
@@ -99,31 +113,56 @@ final class ExactHold {
             two = new DMatrixRMaj(n, n);
         }
 
-        /** φ_j(M) = Σ_k M^k / (k+j)!. */
-        void series(DMatrixRMaj m) {
-            int n = m.numRows;
-            DMatrixRMaj term = CommonOps_DDRM.identity(n);
-            DMatrixRMaj next = new DMatrixRMaj(n, n);
+        /**
+         * φ_j(M) = Σ_k M^k / (k+j)!.
+         *
+         * @param terms M^k / k!
+         */
+        void series(DMatrixRMaj[] terms) {
             for (int k = 0; k < TERMS; k++) {
-                add(term, k);
-                CommonOps_DDRM.mult(1.0 / (k + 1), term, m, next);
-                term.setTo(next);
+                add(terms[k], k);
             }
         }
 
-        /** The derivative of the series along dM: T_{k+1} = T_k M/(k+1), dT_{k+1} = (dT_k M + T_k dM)/(k+1). */
-        void seriesSlope(DMatrixRMaj m, DMatrixRMaj dm) {
+        /**
+         * The derivative of the series along dM: dT_{k+1} = (dT_k M + T_k dM)/(k+1).
+         *
+         * @param terms T_k = M^k / k!
+         */
+        void seriesSlope(DMatrixRMaj[] terms, DMatrixRMaj m, DMatrixRMaj dm) {
             int n = m.numRows;
-            DMatrixRMaj term = CommonOps_DDRM.identity(n);
+            int[] rows = filled(dm);
             DMatrixRMaj slope = new DMatrixRMaj(n, n);
             DMatrixRMaj next = new DMatrixRMaj(n, n);
             for (int k = 0; k < TERMS; k++) {
                 add(slope, k);
                 CommonOps_DDRM.mult(1.0 / (k + 1), slope, m, next);
-                CommonOps_DDRM.multAdd(1.0 / (k + 1), term, dm, next);
+                addProduct(1.0 / (k + 1), terms[k], dm, rows, next);
                 slope.setTo(next);
-                CommonOps_DDRM.mult(1.0 / (k + 1), term, m, next);
-                term.setTo(next);
+            }
+        }
+
+        /** Rows that are not all zero: a parameter moves the forces on few bodies. */
+        private static int[] filled(DMatrixRMaj dm) {
+            return IntStream.range(0, dm.numRows).filter(row -> IntStream.range(0, dm.numCols).anyMatch(j -> dm.get(row, j) != 0))
+                    .toArray();
+        }
+
+        /**
+         * Adds a multiple of a product.
+         *
+         * @param rows of the second factor that are not zero
+         * @param out Modified.
+         */
+        private static void addProduct(double factor, DMatrixRMaj left, DMatrixRMaj right, int[] rows, DMatrixRMaj out) {
+            int n = out.numCols;
+            for (int i = 0; i < out.numRows; i++) {
+                for (int row : rows) {
+                    double by = factor * left.data[i * left.numCols + row];
+                    for (int j = 0; j < n; j++) {
+                        out.data[i * n + j] += by * right.data[row * n + j];
+                    }
+                }
             }
         }
 

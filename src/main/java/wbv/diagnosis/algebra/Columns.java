@@ -12,6 +12,9 @@ import wbv.signal.ScalarProduct;
  */
 public final class Columns {
 
+    /** So many others pay for turning the vectors. */
+    private static final int FEW = 4;
+
     private final double[][] vectors;
     /** Where each vector's first number stands that is not zero, and what comes after its last; the same where it has none. */
     private final int[] from;
@@ -86,7 +89,8 @@ public final class Columns {
      * @param others as long
      */
     public double[][] products(Columns others) {
-        return products(others, false);
+        return others.count() < FEW ? Arrays.stream(others.vectors).map(this::products).toArray(double[][]::new)
+                : products(others, false);
     }
 
     /** @param half whether of a row only what is left of the diagonal is asked */

@@ -20,6 +20,8 @@ public final class Normal {
     /** Derivatives, which are the state's but for what was added to them since. */
     private final CorrectedColumns slopes;
     private final Projection projection;
+    /** Products of the slopes with all errors, free or not [1]: as a fit goes on some come to stand at a bound and others leave it. */
+    private final double[][] withErrors;
     private final double[][] products;
     private final double[][] gram;
     private final double[] gradient;
@@ -31,19 +33,20 @@ public final class Normal {
      * @param state with its derivatives
      */
     public Normal(Fitter.State state) {
-        this(state, new Columns(state.slopes()), new Projection(state));
+        this(state, new Projection(state), new SlopeProducts(state));
     }
 
-    private Normal(Fitter.State state, Columns slopes, Projection projection) {
-        this(state, new CorrectedColumns(slopes), projection, projection.products(slopes), slopes.gram());
+    private Normal(Fitter.State state, Projection projection, SlopeProducts known) {
+        this(state, new CorrectedColumns(new Columns(state.slopes())), projection, known.withErrors(), known.gram());
     }
 
-    private Normal(Fitter.State state, CorrectedColumns slopes, Projection projection, double[][] products, double[][] gram) {
+    private Normal(Fitter.State state, CorrectedColumns slopes, Projection projection, double[][] withErrors, double[][] gram) {
         this.state = state;
         this.slopes = slopes;
         this.projection = projection;
-        this.products = products;
+        this.withErrors = withErrors;
         this.gram = gram;
+        products = Arrays.stream(withErrors).map(projection::ofFree).toArray(double[][]::new);
         curvature = curvature(state.candidate(), gram, products, projection::errors);
         gradient = slopes.products(state.residual());
         for (int i = 0; i < gradient.length; i++) {
@@ -58,15 +61,14 @@ public final class Normal {
      * @param known of the first of the coordinates
      */
     static Normal of(Fitter.State state, SlopeProducts known) {
-        Projection projection = new Projection(state);
         int n = state.slopes().length;
-        double[][] theirs = new double[n][];
-        double[][] all = new double[n][n];
+        double[][] all = new double[n][];
+        double[][] gram = new double[n][n];
         for (int i = 0; i < known.count(); i++) {
-            theirs[i] = projection.ofFree(known.withErrors()[i]);
-            System.arraycopy(known.gram()[i], 0, all[i], 0, known.count());
+            all[i] = known.withErrors()[i];
+            System.arraycopy(known.gram()[i], 0, gram[i], 0, known.count());
         }
-        return renewed(state, projection, theirs, all,
+        return renewed(state, new Projection(state), all, gram,
                 IntStream.range(0, n).filter(i -> i >= known.count() || state.slopes()[i] != known.slope(i)).toArray());
     }
 
@@ -110,25 +112,25 @@ public final class Normal {
             change[k] -= state.raw()[k];
         }
         slopes.subtract(moved, change);
-        CorrectedColumns corrected = slopes.plus(change, weight);
-        if (!projection.suits(next)) {
-            return new Normal(next.withSlopes(corrected.sums()));
-        }
         double[] along = slopes.products(change);
         double square = ScalarProduct.of(change, change);
-        double[] shared = projection.products(change);
-        double[][] theirs = new double[n][];
+        double[] shared = state.frame().nuisances().columns().products(change);
+        double[][] errors = new double[n][shared.length];
         double[][] all = new double[n][n];
         for (int i = 0; i < n; i++) {
-            double own = weight[i];
-            double[] earlier = products[i];
-            theirs[i] = new double[shared.length];
-            Arrays.setAll(theirs[i], e -> earlier[e] + own * shared[e]);
+            for (int e = 0; e < shared.length; e++) {
+                errors[i][e] = withErrors[i][e] + weight[i] * shared[e];
+            }
             for (int j = 0; j < n; j++) {
                 all[i][j] = gram[i][j] + weight[j] * along[i] + weight[i] * along[j] + weight[i] * weight[j] * square;
             }
         }
-        return new Normal(next.withSlopes(state.slopes()), corrected, projection, theirs, all);
+        return new Normal(next.withSlopes(state.slopes()), slopes.plus(change, weight), projection(next), errors, all);
+    }
+
+    /** What the sensors' errors take at another state of the same frame. */
+    private Projection projection(Fitter.State next) {
+        return projection.suits(next) ? projection : new Projection(next);
     }
 
     /** The same with the derivatives of their state as they have been corrected, which takes as long as a step. */
@@ -137,7 +139,7 @@ public final class Normal {
             return this;
         }
         double[][] sums = slopes.sums();
-        return new Normal(state.withSlopes(sums), new CorrectedColumns(new Columns(sums)), projection, products, gram);
+        return new Normal(state.withSlopes(sums), new CorrectedColumns(new Columns(sums)), projection, withErrors, gram);
     }
 
     /**
@@ -146,32 +148,30 @@ public final class Normal {
      * @param next of equations that are {@link #settled}
      */
     Normal renewed(Fitter.State next) {
-        return projection.suits(next)
-                ? renewed(next, projection, products.clone(), Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new),
-                        IntStream.range(0, products.length).filter(i -> next.slopes()[i] != state.slopes()[i]).toArray())
-                : new Normal(next);
+        return renewed(next, projection(next), withErrors.clone(), Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new),
+                IntStream.range(0, gram.length).filter(i -> next.slopes()[i] != state.slopes()[i]).toArray());
     }
 
     /**
      * With some products found.
      *
-     * @param products those that are known, filled in
-     * @param gram     likewise
-     * @param fresh    of which derivatives none is known
+     * @param withErrors those that are known, filled in
+     * @param gram       likewise
+     * @param fresh      of which derivatives none is known
      */
-    private static Normal renewed(Fitter.State state, Projection projection, double[][] products, double[][] gram, int[] fresh) {
+    private static Normal renewed(Fitter.State state, Projection projection, double[][] withErrors, double[][] gram, int[] fresh) {
         Columns slopes = new Columns(state.slopes());
         Columns columns = slopes.only(fresh);
-        double[][] own = projection.products(columns);
+        double[][] own = state.frame().nuisances().columns().products(columns);
         double[][] with = slopes.products(columns);
         for (int k = 0; k < fresh.length; k++) {
-            products[fresh[k]] = own[k];
+            withErrors[fresh[k]] = own[k];
             for (int i = 0; i < gram.length; i++) {
                 gram[fresh[k]][i] = with[k][i];
                 gram[i][fresh[k]] = with[k][i];
             }
         }
-        return new Normal(state, new CorrectedColumns(slopes), projection, products, gram);
+        return new Normal(state, new CorrectedColumns(slopes), projection, withErrors, gram);
     }
 
     /** Where these equations stand; its derivatives are theirs once they are {@link #settled}. */

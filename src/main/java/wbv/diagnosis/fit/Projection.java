@@ -47,7 +47,7 @@ public final class Projection {
     }
 
     /** The same of several, by vector. */
-    double[][] products(Columns vectors) {
+    public double[][] products(Columns vectors) {
         return columns.products(vectors);
     }
 

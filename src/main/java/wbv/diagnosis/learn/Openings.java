@@ -57,9 +57,12 @@ final class Openings {
      * @param than what is known without a law
      */
     Opening of(int link, double[] x, Fitter.State than) {
-        boolean named = !than.candidate().added().isEmpty() && !correction && Refinement.explainsNearlyAll(base, than);
+        if (correction) {
+            return once(link, base, () -> beside(link).scored().map(scored -> opened(scored, Effort.SECONDS, 0)).orElse(Opening.NONE));
+        }
+        boolean named = !than.candidate().added().isEmpty() && Refinement.explainsNearlyAll(base, than);
         Opening first = named ? along(link, than) : asMeasured(link, x);
-        if (correction || first.sentences().isEmpty()) {
+        if (first.sentences().isEmpty()) {
             return first;
         }
         Sentence best = weighing.best(first.sentences());
@@ -74,9 +77,17 @@ final class Openings {
      * @param most mean square of the whitened residual that may be left [1]
      */
     boolean promise(int link, double most) {
-        Ground ground = Ground.beside(evidence, base, base);
-        return scored(ground, link, Effort.SECONDS, grammar -> grammar.terms(known(ground)), term -> true)
-                .map(scored -> scored.promising().stream().anyMatch(proposal -> proposal.left() < most)).orElse(false);
+        return beside(link).scored().map(scored -> scored.promising().stream().anyMatch(proposal -> proposal.left() < most)).orElse(false);
+    }
+
+    /** What terms beside those of the base promise, if that could be looked at. */
+    private record Beside(Optional<Scored> scored) {}
+
+    private Beside beside(int link) {
+        return evidence.known().once(new Asked(base, link, base), Beside.class, () -> {
+            Ground ground = Ground.beside(evidence, base, base);
+            return new Beside(scored(ground, link, Effort.SECONDS, grammar -> grammar.terms(known(ground)), term -> true));
+        });
     }
 
     private Opening asMeasured(int link, double[] x) {
@@ -124,7 +135,7 @@ final class Openings {
     /** @param words of the grammar */
     private Opening opened(Ground ground, int link, int most, Function<Grammar, List<Hypothesis>> words,
             Predicate<Hypothesis> open) {
-        return scored(ground, link, most, words, open).map(scored -> opened(ground, scored, most)).orElse(Opening.NONE);
+        return scored(ground, link, most, words, open).map(scored -> opened(scored, most, ground.begun())).orElse(Opening.NONE);
     }
 
     /**
@@ -158,7 +169,8 @@ final class Openings {
         return Optional.of(new Scored(scored, sentences, vocabulary, kin, promising));
     }
 
-    private Opening opened(Ground ground, Scored on, int most) {
+    /** @param begun terms that are begun where the model went far */
+    private Opening opened(Scored on, int most, int begun) {
         Fitter fitter = search.fitter();
         Fitter.State scored = on.state();
         Sentences sentences = on.sentences();
@@ -173,7 +185,7 @@ final class Openings {
         // Beside a name, with which the model need make up for nothing, the first order tells terms apart.
         if (!correction && Refinement.bent(base)) {
             List<Sentences.Proposal> many = promising.stream().filter(proposal -> proposal.terms().size() == 1)
-                    .filter(proposal -> kin.stream().noneMatch(each -> each.kind().equals(proposal.kind()))).limit(ground.begun())
+                    .filter(proposal -> kin.stream().noneMatch(each -> each.kind().equals(proposal.kind()))).limit(begun)
                     .collect(Collectors.toCollection(() -> new ArrayList<>(kin)));
             finalists.addAll(first(fits.begunInPart(scored, sentences, many), vocabulary));
         }

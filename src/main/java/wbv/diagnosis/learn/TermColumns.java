@@ -3,9 +3,11 @@ package wbv.diagnosis.learn;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Motion;
@@ -23,7 +25,9 @@ final class TermColumns {
     /** Times that a number is moved to where its term gains more. */
     private static final int ROUNDS = 4;
     /** Terms that are looked at before those are left out that gain less than others. */
-    private static final int AT_ONCE = 32;
+    private static final int AT_ONCE = 64;
+    /** Of those, terms whose directions are multiplied with the errors' at once. */
+    private static final int TOGETHER = 4;
 
     private final Screening screening;
     private final Candidate on;
@@ -38,8 +42,8 @@ final class TermColumns {
     TermColumns(Screening screening, Candidate on, Motion motion, int link) {
         this.screening = screening;
         this.on = on;
-        this.linear = List.of(screening.left().of(screening.direction(link, motion.displacement(link))),
-                screening.left().of(screening.direction(link, motion.velocity(link))));
+        this.linear = screening.left()
+                .of(List.of(screening.direction(link, motion.displacement(link)), screening.direction(link, motion.velocity(link))));
     }
 
     /**
@@ -61,8 +65,8 @@ final class TermColumns {
      */
     List<List<Column>> likeliest(List<Hypothesis> terms) {
         List<List<Column>> kept = new ArrayList<>();
-        for (int from = 0; from < terms.size(); from += AT_ONCE) {
-            Parallel.map(terms.subList(from, Math.min(from + AT_ONCE, terms.size())), this::columns).stream()
+        for (List<Hypothesis> some : parts(terms, AT_ONCE)) {
+            Parallel.map(parts(some, TOGETHER), this::columns).stream().flatMap(List::stream)
                     .filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0).forEach(kept::add);
             kept.sort(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed());
             int numbers = 0;
@@ -76,30 +80,39 @@ final class TermColumns {
         return kept;
     }
 
-    /** A term at each of its starts, the one that gains most first. */
-    private List<Column> columns(Hypothesis term) {
-        List<Column> out = new ArrayList<>();
-        for (Hypothesis.Start start : term.starts()) {
-            column(term, start).ifPresent(out::add);
-        }
-        out.sort(Comparator.comparingDouble(Column::gain).reversed());
-        return out;
+    private static List<List<Hypothesis>> parts(List<Hypothesis> terms, int length) {
+        return IntStream.iterate(0, from -> from < terms.size(), from -> from + length)
+                .mapToObj(from -> terms.subList(from, Math.min(from + length, terms.size()))).toList();
+    }
+
+    /** Each of some terms at each of its starts, the one that gains most first. */
+    private List<List<Column>> columns(List<Hypothesis> terms) {
+        List<double[]> directions = terms.stream().flatMap(term -> term.starts().stream().flatMap(start -> directions(term, start)))
+                .toList();
+        Iterator<PartialledOut.Rest> rests = screening.left().of(directions).iterator();
+        return terms.stream().map(term -> term.starts().stream().flatMap(start -> column(term, start, rests).stream())
+                .sorted(Comparator.comparingDouble(Column::gain).reversed()).toList()).toList();
+    }
+
+    private Stream<double[]> directions(Hypothesis term, Hypothesis.Start start) {
+        return start.columns().stream().map(column -> screening.direction(term, on.with(term), only(start, column)));
+    }
+
+    /** @param next what is left of its directions, and then of others'. Modified. */
+    private Optional<Column> column(Hypothesis term, Hypothesis.Start start, Iterator<PartialledOut.Rest> next) {
+        List<PartialledOut.Rest> rests = start.columns().stream().map(column -> next.next()).toList();
+        return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
+                : Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
     }
 
     private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
-        List<PartialledOut.Rest> rests = start.columns().stream()
-                .map(column -> screening.left().of(screening.direction(term, on.with(term),
-                        only(start, column))))
-                .toList();
-        if (rests.stream().anyMatch(PartialledOut.Rest::isOld)) {
-            return Optional.empty();
-        }
-        return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
+        return column(term, start, screening.left().of(directions(term, start).toList()).iterator());
     }
 
     /** A term, or the form of it that gains more. */
     Column varied(Column column, Function<Hypothesis, Optional<Hypothesis>> variant) {
-        return Stream.concat(Stream.of(column), variant.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
+        return Stream
+                .concat(Stream.of(column), variant.apply(column.term()).stream().flatMap(term -> columns(List.of(term)).get(0).stream()))
                 .max(Comparator.comparingDouble(Column::gain)).orElseThrow();
     }
 

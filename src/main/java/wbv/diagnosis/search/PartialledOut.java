@@ -58,12 +58,19 @@ public final class PartialledOut {
     /**
      * What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual.
      *
-     * @param direction whitened, as long as the residual. Not copied, not modified
+     * @param directions whitened, as long as the residual each, to be asked for together: the errors' columns are long. Not copied, not
+     *                   modified
      */
-    public Rest of(double[] direction) {
-        double[] own = projection.products(direction);
+    public List<Rest> of(List<double[]> directions) {
+        Columns all = new Columns(directions.toArray(double[][]::new));
+        double[][] own = projection.products(all);
+        double[][] cross = slopes.products(all);
+        return IntStream.range(0, all.count()).mapToObj(i -> rest(all.get(i), own[i], cross[i])).toList();
+    }
+
+    /** @param cross products with the slopes, as if no error followed. Modified. */
+    private Rest rest(double[] direction, double[] own, double[] cross) {
         double[] follow = projection.errors(own);
-        double[] cross = slopes.products(direction);
         for (int p = 0; p < cross.length; p++) {
             cross[p] -= ScalarProduct.of(follow, products[p]);
         }

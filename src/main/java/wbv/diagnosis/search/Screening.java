@@ -218,7 +218,7 @@ public final class Screening {
 
     /** Gain of the best combination of directions, whose strengths are filled in. */
     private double project(List<double[]> directions, double[] strength) {
-        List<PartialledOut.Rest> rests = directions.stream().map(left::of).toList();
+        List<PartialledOut.Rest> rests = left.of(directions);
         return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? 0 : PartialledOut.combined(rests, strength);
     }
 }
