@@ -15,6 +15,17 @@ class NormalTest {
 
     @Test
     void carriedOverIsAsGoodAsNew() throws Exception {
+        isAsGoodAsNew(0.02, true);
+    }
+
+    /** What errors take is another where one has come to stand at its bound; their products with the derivatives are not. */
+    @Test
+    void otherErrorsMayStandAtTheirBounds() throws Exception {
+        isAsGoodAsNew(0.4, false);
+    }
+
+    /** @param suits whether the same errors are free where the model has moved so far */
+    private static void isAsGoodAsNew(double far, boolean suits) throws Exception {
         Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")),
                 new RecordingFile(CASE.resolve("recording.csv.gz")).load());
         Fitter fitter = new Fitter(evidence);
@@ -24,9 +35,10 @@ class NormalTest {
         Fitter.State here = fitter.lookWithSlopes(candidate, x, frame);
         double[] moved = x.clone();
         for (int i = 0; i < moved.length; i++) {
-            moved[i] += 0.02 * Math.sin(1 + 3 * i);
+            moved[i] += far * Math.sin(1 + 3 * i);
         }
         Fitter.State there = fitter.look(candidate, moved, frame);
+        assertEquals(suits, new Projection(here).suits(there));
         Normal carried = new Normal(here).followed(there);
         Normal whole = new Normal(there.withSlopes(corrected(here, there)));
         for (int i = 0; i < x.length; i++) {
