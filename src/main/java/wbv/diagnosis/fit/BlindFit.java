@@ -225,7 +225,7 @@ public final class BlindFit {
                 gradient[i] = ScalarProduct.of(state.slopes()[i], residual) - unseen[i] + from.at.x()[i] / (deviation * deviation);
             }
             double[][] followed = Normal.curvature(state.candidate(), curvature, shared, factor::solve);
-            return Normal.step(state.candidate(), from.at.x(), followed, gradient, damping);
+            return Normal.step(state.candidate(), from.at.x(), followed, gradient, new boolean[gradient.length], damping);
         }
     }
 }

@@ -96,11 +96,22 @@ final class Descent {
     /** Where a step leads that lowers the cost, and the damping that it takes. */
     private record Step(Fitter.State to, double damping) {}
 
-    /** To where the equations stand already, if no step lowers the cost. */
+    /**
+     * To where the equations stand already, if no step lowers the cost. Where something changes at a moment the cost has a kink, and no
+     * slope leads along it: at its bottom the rest moves by itself.
+     */
     private Step step(Normal normal, double first) {
+        Fitter.State from = normal.state();
+        Step all = step(normal, first, false);
+        boolean moment = all.to() == from && from.candidate().knobs().stream().anyMatch(Knob::isMoment);
+        return moment ? step(normal, first, true) : all;
+    }
+
+    /** @param still whether moments stay where they are */
+    private Step step(Normal normal, double first, boolean still) {
         double damping = first;
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-            Fitter.State tried = look(normal, damping);
+            Fitter.State tried = look(normal, damping, still);
             if (tried.cost() < normal.state().cost()) {
                 return new Step(tried, damping);
             }
@@ -117,7 +128,7 @@ final class Descent {
         double gain = earlier.state().cost() - first.cost();
         boolean free = first.candidate().added().stream().anyMatch(Hypothesis::runsFree);
         for (int step = 0; step < (free ? CHORDS : LINEAR_CHORDS); step++) {
-            Fitter.State tried = look(normal, damping);
+            Fitter.State tried = look(normal, damping, false);
             double more = normal.state().cost() - tried.cost();
             if (!(more > 0)) {
                 break;
@@ -131,8 +142,8 @@ final class Descent {
         return normal;
     }
 
-    private Fitter.State look(Normal normal, double damping) {
+    private Fitter.State look(Normal normal, double damping, boolean still) {
         Fitter.State from = normal.state();
-        return residuals.of(from.candidate(), normal.step(damping), from.frame(), bends);
+        return residuals.of(from.candidate(), normal.step(damping, still), from.frame(), bends);
     }
 }

@@ -201,9 +201,17 @@ public final class Normal {
         return gradient;
     }
 
-    /** The next x, within bounds. */
-    double[] step(double damping) {
-        return step(state.candidate(), state.x(), curvature, gradient, damping);
+    /**
+     * The next x, within bounds.
+     *
+     * @param still whether moments stay where they are
+     */
+    double[] step(double damping, boolean still) {
+        boolean[] held = new boolean[gradient.length];
+        for (int i = 0; i < held.length; i++) {
+            held[i] = still && state.candidate().knobs().get(i).isMoment();
+        }
+        return step(state.candidate(), state.x(), curvature, gradient, held, damping);
     }
 
     /**
@@ -211,14 +219,15 @@ public final class Normal {
      *
      * @param x where they stand, coordinates [1], one a knob
      * @param curvature as {@link #curvature}
-     * @param gradient as {@link #gradient}. None is modified.
+     * @param gradient as {@link #gradient}
+     * @param still coordinates that do not move. None is modified.
      */
-    static double[] step(Candidate candidate, double[] x, double[][] curvature, double[] gradient, double damping) {
+    static double[] step(Candidate candidate, double[] x, double[][] curvature, double[] gradient, boolean[] still, double damping) {
         int n = gradient.length;
         boolean[] held = new boolean[n];
         for (int i = 0; i < n; i++) {
             Knob knob = candidate.knobs().get(i);
-            held[i] = x[i] <= knob.low() + 1e-12 && gradient[i] > 0 || x[i] >= knob.high() - 1e-12 && gradient[i] < 0;
+            held[i] = still[i] || x[i] <= knob.low() + 1e-12 && gradient[i] > 0 || x[i] >= knob.high() - 1e-12 && gradient[i] < 0;
         }
         double[] step = DampedEquations.solve(curvature, gradient, held, damping);
         double scale = 1;
