@@ -109,7 +109,8 @@ public final class Diagnoser {
         double heldOut = inquiry.heldOut(base);
         boolean asked = evidence.isLate() || evidence.measured().isChosen() || evidence.acting().any();
         boolean louderLater = !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
-        boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || Math.max(base.reduced(), heldOut) > Priors.STRANGE;
+        // What is plain is sought, whatever data that were not used show: a law may act little in a part that is shaken less.
+        boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || base.reduced() > Priors.LOUD || heldOut > Priors.STRANGE;
         // The little that is left may be noise of an input of which nobody knows it.
         boolean quiet = Math.max(base.reduced(), heldOut) < Priors.SILENT;
         return louderLater ? louderLater() : loud ? searched() : Conclusion.of(quiet ? inquiry : inquiry.hearingInput(base), List.of());
