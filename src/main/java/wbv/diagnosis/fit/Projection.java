@@ -46,7 +46,7 @@ public final class Projection {
         return Arrays.stream(free).mapToDouble(i -> products[i]).toArray();
     }
 
-    /** The same of several, by vector. */
+    /** The same of several whitened vectors, by vector and by error that is free [1]. */
     public double[][] products(Columns vectors) {
         return columns.products(vectors);
     }
