@@ -12,7 +12,10 @@ import wbv.signal.ScalarProduct;
  */
 public final class Columns {
 
-    /** So many others pay for turning the vectors. */
+    /**
+     * So many others pay for turning the vectors, an effort: 89 of 33 600 numbers take 1.2 ms with one other by themselves, and turned 5.0,
+     * 2.2, 1.3, 0.8 and 0.6 ms with each of 1, 2, 4, 8 and 16.
+     */
     private static final int FEW = 4;
 
     private final double[][] vectors;

@@ -24,9 +24,9 @@ final class TermColumns {
     static final int LINEAR = 2;
     /** Times that a number is moved to where its term gains more. */
     private static final int ROUNDS = 4;
-    /** Terms that are looked at before those are left out that gain less than others. */
+    /** Terms that are looked at before those are left out that gain less than others: an effort, so many parts as keep processors busy. */
     private static final int AT_ONCE = 64;
-    /** Of those, terms whose directions are multiplied with the errors' at once. */
+    /** Of those, terms whose directions are multiplied with the errors' at once, so many that it pays: an effort. */
     private static final int TOGETHER = 4;
 
     private final Screening screening;
