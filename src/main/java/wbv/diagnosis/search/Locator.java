@@ -136,16 +136,18 @@ public final class Locator {
         List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
                 .map(fit -> new Begun(fit.start(), fit.ignoring(places, Effort.FINAL_STEPS))).sorted(WARMEST).limit(Effort.SECONDS)
                 .toList());
-        double reach = reach(sorted(heat.stream().map(begun -> begun.get(0).found()).toList()), Effort.BEHIND);
+        List<Known.Ignoring> leading = sorted(heat.stream().map(begun -> begun.get(0).found()).toList());
+        // Where all leave much, all are near the best, and the best of them is hardly the place either.
+        double reach = Math.min(reach(leading, Effort.BEHIND), leading.get(Math.min(Effort.CONTENDERS, leading.size()) - 1).reduced());
         return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
     }
 
-    /** The least of where the warmest leads, and of where fits lead from all starts: steps with another fit's derivatives may go astray. */
+    /** Where the best of the warmest and of what begins anew leads: steps with another fit's derivatives may go astray. */
     private Known.Ignoring near(List<Begun> begun) {
         Known.Ignoring warmest = begun.get(0).found();
-        return Stream.concat(Stream.of(warmest), begun.stream()
+        return further(Stream.concat(Stream.of(warmest), begun.stream()
                 .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), OWN_STEPS)))
-                .map(each -> further(each, Effort.HEAT_STEPS)).min(BEST).orElseThrow();
+                .min(BEST).orElseThrow(), Effort.HEAT_STEPS);
     }
 
     /**
