@@ -11,7 +11,7 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * Puts in place of lost samples what the samples about them make likeliest: the linear combination of least mean square error (Wiener
- * 1949), by the series' own autocorrelation, which is found from the series as it is bridged, in a few rounds. So a series that moves from
+ * 1949), by the series' own autocorrelation, which is found from the series with such gaps bridged, in a few rounds. So a series that moves from
  * sample to sample is bridged as well as its noise allows, where a polynomial knows slow ones only. A gap longer than that gets a straight
  * line.
  */
@@ -26,6 +26,8 @@ public final class LostSamples {
 
     private final double[] out;
     private final boolean[] lost;
+    /** Those of them in gaps too long to be filled so, whose straight lines tell nothing of the series. */
+    private final boolean[] far;
     /** Weights of the neighbours by which of them are there, one set a sample of the gap. */
     private final Map<BitSet, double[][]> known = new HashMap<>();
     private double[] correlation = new double[0];
@@ -35,6 +37,15 @@ public final class LostSamples {
         this.lost = new boolean[x.length];
         for (int i = 0; i < x.length; i++) {
             lost[i] = Double.isNaN(x[i]);
+        }
+        this.far = new boolean[x.length];
+        for (int from = 0; from < x.length; from++) {
+            int to = from;
+            while (to < x.length && lost[to]) {
+                to++;
+            }
+            Arrays.fill(far, from, to, to - from > REACH);
+            from = to;
         }
     }
 
@@ -55,6 +66,25 @@ public final class LostSamples {
         return series.out;
     }
 
+    /**
+     * The same less its mean, which is that of the samples that are there: a new array.
+     *
+     * @param x a series of any unit, NaN where lost. Not modified.
+     */
+    public static double[] centred(double[] x) {
+        double mean = mean(x);
+        return Arrays.stream(filled(x)).map(value -> value - mean).toArray();
+    }
+
+    /**
+     * The mean of the samples that are there, in their unit; zero if none is.
+     *
+     * @param x a series of any unit, NaN where lost. Not modified.
+     */
+    public static double mean(double[] x) {
+        return Arrays.stream(x).filter(value -> !Double.isNaN(value)).average().orElse(0);
+    }
+
     /** Straight lines over all gaps; what is lost at an end is as the last there is. */
     private void straight() {
         int last = -1;
@@ -70,7 +100,7 @@ public final class LostSamples {
     }
 
     private void fill() {
-        double mean = Arrays.stream(out).average().orElse(0);
+        double mean = IntStream.range(0, out.length).filter(i -> !far[i]).mapToDouble(i -> out[i]).average().orElse(0);
         correlation = correlation(mean);
         known.clear();
         if (!(correlation[0] > 0)) {
@@ -93,10 +123,14 @@ public final class LostSamples {
 
     /** Biased, so that no combination of samples has a negative power. */
     private double[] correlation(double mean) {
+        double[] centred = new double[out.length];
+        for (int i = 0; i < out.length; i++) {
+            centred[i] = far[i] ? 0 : out[i] - mean;
+        }
         double[] sums = new double[3 * REACH + 1];
         for (int lag = 0; lag < sums.length; lag++) {
             for (int i = lag; i < out.length; i++) {
-                sums[lag] += (out[i] - mean) * (out[i - lag] - mean);
+                sums[lag] += centred[i] * centred[i - lag];
             }
         }
         sums[0] *= 1 + OWN;

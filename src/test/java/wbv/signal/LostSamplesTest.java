@@ -29,6 +29,14 @@ class LostSamplesTest {
         assertArrayEquals(new double[] {4, 4, 4}, LostSamples.filled(new double[] {4, nan, 4}));
     }
 
+    @Test
+    void theMeanIsOfWhatIsThere() {
+        double nan = Double.NaN;
+        assertEquals(3, LostSamples.mean(new double[] {1, nan, nan, 5}));
+        assertEquals(0, LostSamples.mean(new double[] {nan}));
+        assertArrayEquals(new double[] {-1, 1}, Arrays.copyOf(LostSamples.centred(new double[] {4, 6, nan}), 2));
+    }
+
     /**
      * Closed form (Kolmogorov 1941): the sample that is lost between endless neighbours is missed by the harmonic mean of the spectrum. A
      * motion in 0.74 of the band with a noise of a fiftieth: 0.039.

@@ -204,7 +204,7 @@ public final class Excitation {
             return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity())
                     : new Moved(differentiated(returning(moved), order(sensor.quantity())), new double[0]);
         }
-        double mean = Arrays.stream(moved).average().orElse(0);
+        double mean = LostSamples.mean(recording.values(sensor));
         return new Moved(spectrum(Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray()), new double[0]);
     }
 

@@ -174,7 +174,7 @@ final class Agreement {
     }
 
     private static double rms(double[] x) {
-        return Math.sqrt(Arrays.stream(Measured.centred(LostSamples.filled(x))).map(value -> value * value).average().orElseThrow());
+        return Math.sqrt(Arrays.stream(LostSamples.centred(x)).map(value -> value * value).average().orElseThrow());
     }
 
     /** Outputs that a convention touches: all of them where it changes what moves them. */

@@ -114,7 +114,9 @@ public final class ConventionCheck {
         }
         double[] level = new double[n + 1];
         for (Channel output : model.outputs()) {
-            double[] x = Measured.centred(LostSamples.filled(recording.values(output)));
+            double[] read = recording.values(output);
+            double mean = LostSamples.mean(read);
+            double[] x = Arrays.stream(read).map(value -> Double.isNaN(value) ? 0 : value - mean).toArray();
             double square = Arrays.stream(x).map(value -> value * value).sum();
             for (int i = 0; i < n; i++) {
                 level[i + 1] += x[i] * x[i] / square;

@@ -3,7 +3,6 @@ package wbv.diagnosis.convention;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
-import wbv.diagnosis.measured.Measured;
 import wbv.signal.LostSamples;
 import wbv.signal.RealDft;
 
@@ -41,9 +40,10 @@ final class Stretch {
      * @param series at least as long as the window, gaps bridged. Not modified.
      */
     double[] spectrum(double[] series) {
-        double[] x = Measured.centred(Arrays.copyOf(LostSamples.filled(series), taper.length));
+        double[] x = Arrays.copyOf(LostSamples.filled(series), taper.length);
+        double mean = IntStream.range(0, x.length).filter(i -> taper[i] > 0).mapToDouble(i -> x[i]).average().orElse(0);
         for (int i = 0; i < x.length; i++) {
-            x[i] *= taper[i];
+            x[i] = taper[i] * (x[i] - mean);
         }
         return Arrays.copyOfRange(transform.forward(x, last + 1), 2 * FIRST, 2 * (last + 1));
     }

@@ -34,7 +34,7 @@ final class Unmoved {
         this.model = model;
         this.recording = recording;
         this.channels = model.channels();
-        this.series = channels.stream().map(channel -> Measured.centred(LostSamples.filled(recording.values(channel))))
+        this.series = channels.stream().map(channel -> LostSamples.centred(recording.values(channel)))
                 .toArray(double[][]::new);
     }
 

@@ -32,6 +32,8 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
     private static final int READINGS = 1 << 17;
     /** A recording is judged whole that is no longer than so many times that: pieces lose what follows their beginnings. */
     private static final double WHOLE = 1.5;
+    /** Part of a piece that may pass until its outputs count [1]. */
+    private static final double SETTLING = 0.1;
     /** Pieces at most: a change through the recording is seen at as many moments. */
     private static final int MOST = 12;
 
@@ -52,7 +54,7 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
         int series = Math.max(1, model.outputs().size() + Measured.beside(model).size());
         double budget = rate / judged * readings / series;
         int pause = (int) Math.max(Dropouts.BRIDGED + 1, Math.min(recording.length(), Math.ceil(Unseen.settling(model) * rate)));
-        int pieces = (int) Math.min(MOST, budget * Unseen.MOST_SETTLING / pause);
+        int pieces = (int) Math.min(MOST, budget * SETTLING / pause);
         if (recording.length() <= WHOLE * budget || pieces < 2) {
             return Optional.empty();
         }

@@ -52,8 +52,7 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
             valid[i] = valid[i] && driven[i];
             counted[i] = valid[i] ? raw[i] : Double.NaN;
         }
-        double mean = Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
-        return new MeasuredOutput(channel, Measured.centred(LostSamples.filled(counted)), mean, valid, dropouts.found());
+        return new MeasuredOutput(channel, LostSamples.centred(counted), LostSamples.mean(counted), valid, dropouts.found());
     }
 
     /** The series by sample [unit of the channel], NaN where it does not count: a new array. */

@@ -74,7 +74,7 @@ public final class NoiseLevel {
      * @param x NaN where lost. Not modified.
      */
     double of(double[] x) {
-        return between(x, LostSamples.filled(x), LOW, HIGH, BLOCK);
+        return between(LostSamples.filled(x), LOW, HIGH, BLOCK, starts(x, BLOCK));
     }
 
     /**
@@ -102,13 +102,13 @@ public final class NoiseLevel {
     private static double quietest(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
         double[] bridged = LostSamples.filled(x);
+        int[] starts = starts(x, block);
         List<Double> powers = new ArrayList<>();
         for (double low = BAND; low + BAND <= HIGH; low += BAND) {
-            powers.add(Math.pow(between(x, bridged, low, low + BAND, block), 2));
+            powers.add(Math.pow(between(bridged, low, low + BAND, block, starts), 2));
         }
-        int blocks = (x.length - block) / (block / 2) + 1;
         double lines = Math.max(1, BAND * block) / HANN;
-        double scatter = MEDIAN / Math.sqrt(lines * blocks);
+        double scatter = MEDIAN / Math.sqrt(lines * starts.length);
         double median = Math.pow(1 - 1 / (9 * lines), 3);   // of a power that so many lines make, over its mean (Wilson and Hilferty 1931)
         double loudest = Collections.min(powers) * (1 + ALIKE * scatter);
         return Math.sqrt(powers.stream().mapToDouble(power -> power).filter(power -> power <= loudest).average().orElseThrow() / median);
@@ -127,12 +127,21 @@ public final class NoiseLevel {
     }
 
     /**
-     * @param read NaN where lost: blocks in which that is much do not count where others do
-     * @param x the same bridged. Neither is modified.
+     * Where blocks that count begin: those in which much is lost do not where others do.
+     *
+     * @param read NaN where lost. Not modified.
      */
-    private static double between(double[] read, double[] x, double low, double high, int size) {
-        boolean whole = IntStream.iterate(0, start -> start + size <= x.length, start -> start + size / 2)
-                .anyMatch(start -> isWhole(read, start, size));
+    private static int[] starts(double[] read, int size) {
+        int[] all = IntStream.iterate(0, start -> start + size <= read.length, start -> start + size / 2).toArray();
+        int[] whole = IntStream.of(all).filter(start -> isWhole(read, start, size)).toArray();
+        return whole.length > 0 ? whole : all;
+    }
+
+    /**
+     * @param x with its gaps bridged
+     * @param starts of blocks that count. Neither is modified.
+     */
+    private static double between(double[] x, double low, double high, int size, int[] starts) {
         Fft fft = new Fft(size);
         double[] weights = new double[size];
         double power = 0;
@@ -141,10 +150,7 @@ public final class NoiseLevel {
             power += weights[i] * weights[i];
         }
         List<Double> blocks = new ArrayList<>();
-        for (int start = 0; start + size <= x.length; start += size / 2) {
-            if (whole && !isWhole(read, start, size)) {
-                continue;
-            }
+        for (int start : starts) {
             double[] block = Arrays.copyOfRange(x, start, start + size);
             double mean = Arrays.stream(block).average().orElse(0);
             for (int i = 0; i < size; i++) {

@@ -12,11 +12,10 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.InputWay;
 import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.measured.InputNoise;
-import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.measured.NoiseLevel;
 import wbv.diagnosis.measured.SmallError;
 import wbv.recording.Channel;
-import wbv.signal.ScalarProduct;
+import wbv.signal.LostSamples;
 
 /**
  * How noisy the sensors of a rig's input are. No band of what moves a rig is known to hold noise alone, so that it shows in what a fit
@@ -63,9 +62,11 @@ public final class InputLevel {
 
     /** White noise is no stronger than the quietest band of what the sensor reads. */
     private double most(Channel sensor) {
-        double[] x = evidence.series(sensor);
-        double[] centred = Measured.centred(x);
-        return Math.min(new NoiseLevel().bound(x), MOST * Math.sqrt(ScalarProduct.of(centred, centred) / centred.length));
+        double[] read = evidence.recording().values(sensor);
+        double mean = LostSamples.mean(read);
+        double square = Arrays.stream(read).filter(value -> !Double.isNaN(value)).map(value -> Math.pow(value - mean, 2)).average()
+                .orElse(0);
+        return Math.min(new NoiseLevel().bound(read), MOST * Math.sqrt(square));
     }
 
     /** Power of the noise of a sensor of 1, by line. */

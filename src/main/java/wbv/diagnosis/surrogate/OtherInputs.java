@@ -44,7 +44,7 @@ final class OtherInputs {
         stride = Math.max(1, (int) Math.round(recording.clock().rate() * STEP));
         List<double[]> all = new ArrayList<>();
         for (Channel channel : Stream.concat(Stream.of(input), others.stream()).toList()) {
-            all.add(Measured.centred(LostSamples.filled(recording.values(channel))));
+            all.add(LostSamples.centred(recording.values(channel)));
         }
         series = all.toArray(double[][]::new);
         normal = normal();

@@ -51,7 +51,7 @@ final class SimulatedPlane {
             return Optional.empty();
         }
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        axes.forEach(axis -> values.put(axis, Measured.centred(LostSamples.filled(recording.values(axis)))));
+        axes.forEach(axis -> values.put(axis, LostSamples.centred(recording.values(axis))));
         outputs.forEach(output -> values.put(output, Measured.centred(simulated.get(output))));
         return Optional.of(new SimulatedPlane(new Recording(recording.clock(), values, Metadata.NONE), axes, places, outputs));
     }

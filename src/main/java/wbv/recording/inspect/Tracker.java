@@ -49,8 +49,9 @@ final class Tracker {
         if (ahead < -tolerance) {
             return REPEATED;
         }
-        long missing = ahead <= tolerance ? 0
-                : blur > rounding ? Math.round(ahead / step) : (long) Math.ceil((ahead - tolerance) / step);
+        // Of rows that share a rounded time the first is the earliest; how coarse times of a new magnitude are is not known at once.
+        boolean shared = resolution.settled() && blur <= rounding;
+        long missing = ahead <= tolerance ? 0 : shared ? (long) Math.ceil((ahead - tolerance) / step) : Math.round(ahead / step);
         missing = Math.min(missing, MOST_MISSING);
         residual = ahead - missing * step;
         phase += (1 + missing) * step;

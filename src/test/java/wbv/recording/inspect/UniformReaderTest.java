@@ -57,6 +57,19 @@ class UniformReaderTest {
         }
     }
 
+    /** How finely times above a hundred seconds are written is not known from the first of them. */
+    @Test
+    void theFirstTimeOfANewMagnitudeIsASample() throws IOException {
+        IntPredicate kept = i -> i < 7000 || i >= 27000;
+        RecordingFile file = file(30000, kept, i -> Samples.significant(i / 200.0, 9), i -> i + 1.0);
+        Recording recording = file.load(file.inspect());
+        assertEquals(30000, recording.length());
+        double[] values = recording.values(Samples.HEAD);
+        for (int i = 0; i < 30000; i++) {
+            assertEquals(kept.test(i) ? i + 1.0 : Double.NaN, values[i], "sample " + i);
+        }
+    }
+
     /** Blocks show every row once and in order to each who looks, whatever is left over for the last. */
     @Test
     void blocksShowWhatRowsShow() throws IOException {
