@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Evidence;
@@ -54,7 +55,20 @@ final class WrongNumbers {
         List<Off> off = IntStream.range(0, base.candidate().given()).boxed().flatMap(i -> off(i, curvature).stream())
                 .sorted(Comparator.comparingDouble(Off::sureness).reversed()).limit(MOST).toList();
         return off.isEmpty() ? ""
-                : " Surely wrong: " + off.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
+                : " Surely wrong" + asGiven() + ": " + off.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
+    }
+
+    /** What a bench whose motion alone is measured does not show: the mass that sets the scale of the rest is taken as it was given. */
+    private String asGiven() {
+        Model model = evidence.model();
+        boolean open = evidence.onRig() && !model.driven();
+        return IntStream.range(0, model.bodies().size()).filter(body -> open && isHeld(body)).mapToObj(model.bodies()::get).findFirst()
+                .map(body -> ", if " + body.name() + " weighs " + DisplayedNumber.of("mass_kg").text(body.mass()) + " as given").orElse("");
+    }
+
+    private boolean isHeld(int body) {
+        return evidence.model().massKey(evidence.model().bodies().get(body)).isPresent() && base.candidate().knobs().stream()
+                .noneMatch(knob -> knob.slot().kind() == Slot.Kind.MASS && knob.slot().at() == body);
     }
 
     private Optional<Off> off(int i, double[][] curvature) {

@@ -74,8 +74,9 @@ public final class LawProof {
     }
 
     /**
-     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more
-     * parts than it has terms it need not leave less. Beside any name its evidence has to be greater.
+     * The best law, if it holds on data that were not used: by itself it leaves no more of what is missing there than a right name may, or
+     * less than half of what a name leaves. Beside a name of more parts than it has terms it need not leave less. Beside any name its
+     * evidence has to be greater.
      *
      * @param sentences most evident first
      * @param name what is known without it: the model alone, or with what was named
@@ -105,11 +106,12 @@ public final class LawProof {
                 search.refinement().heldOut(name.fit()));
     }
 
-    /** Whether a fit leaves less than half of what is missing without it, on data used and not used. */
+    /** Whether a fit leaves as little of what is missing without it as a law may, on data used and not used. */
     private boolean holds(Fitter.State fit, Fitter.State than) {
         double floor = evidence.floor();
-        return fit.reduced() - floor < Priors.MAJORITY * (than.reduced() - floor)
-                && search.refinement().heldOut(fit) - floor < Priors.MAJORITY * (search.refinement().heldOut(than) - floor);
+        double share = than.candidate().added().isEmpty() ? Priors.UNLISTED : Priors.MAJORITY;
+        return fit.reduced() - floor < share * (than.reduced() - floor)
+                && search.refinement().heldOut(fit) - floor < share * (search.refinement().heldOut(than) - floor);
     }
 
     /** Whether a fit leaves less on data not used by more than chance. */

@@ -140,7 +140,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
         for (int b = 0; b < evidence.model().bodies().size(); b++) {
             String where = evidence.model().bodies().get(b).name();
             int body = b;
-            evidence.model().massKey(evidence.model().bodies().get(b)).filter(key -> !evidence.onRig())
+            evidence.model().massKey(evidence.model().bodies().get(b))
                     .filter(key -> out.stream().noneMatch(v -> v.where().equals(where) && v.key().equals(key)))
                     .ifPresent(key -> out.add(new Value(where, key, mass(given, body), mass(base, body), mass(chosen, body))));
         }
