@@ -104,6 +104,15 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
         }
 
         /**
+         * The same where data see other noise.
+         *
+         * @param left mean square of the whitened residual with it there [1]
+         */
+        Named leaving(double left) {
+            return new Named(mechanism, where, probability, parameters, intervals, left, numbers);
+        }
+
+        /**
          * The same with other numbers of the model.
          *
          * @param own how likely they are [nat]

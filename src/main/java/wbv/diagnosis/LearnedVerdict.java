@@ -91,17 +91,25 @@ final class LearnedVerdict {
         List<Diagnosis.Named> missing = named.missing().stream().map(one -> best.candidate().added().stream()
                 .filter(part -> part.mechanism().equals(one.mechanism()) && part.where().equals(one.where())).findFirst()
                 .map(part -> values.named(part, one.probability()).with(one.numbers())).orElse(one)).toList();
+        List<Diagnosis.Named> alternatives = named.alternatives().stream().map(this::seen).toList();
         return shown.of(values.fit(), values.scale(), model -> {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(named.verdict(),
-                    words.sentence(named.verdict(), missing, named.alternatives(),
-                            words.ending(Refinement.explained(fits.base(), best), missing.get(0).numbers(), named.alternatives()), false)
+                    words.sentence(named.verdict(), missing, alternatives,
+                            words.ending(Refinement.explained(fits.base(), best), missing.get(0).numbers(), alternatives), false)
                             + String.format(Locale.ROOT,
                                     " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.",
                                     where, law.formula(), Phrases.percent(gone(held))),
-                    named.located(), missing, named.alternatives(), named.nextExperiment(), shown.figures(values.fit()), named.latent(),
+                    named.located(), missing, alternatives, named.nextExperiment(), shown.figures(values.fit()), named.latent(),
                     model, Optional.of(new Diagnosis.LearnedLaw(where, law.formula(), law.terms(), rivals)));
         });
+    }
+
+    /** A rival as the form is seen: beside the outputs' noise, where it may have been weighed beside that of the input too. */
+    private Diagnosis.Named seen(Diagnosis.Named rival) {
+        return fits.leaders().stream().filter(fit -> fit.candidate().added().size() == 1
+                && fit.candidate().last().mechanism().equals(rival.mechanism()) && fit.candidate().last().where().equals(rival.where()))
+                .mapToDouble(Fitter.State::reduced).min().stream().mapToObj(rival::leaving).findFirst().orElse(rival);
     }
 
     /** Part of what was left on data not used that goes with the best: of what is beyond noise. */

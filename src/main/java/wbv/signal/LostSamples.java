@@ -11,9 +11,9 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * Puts in place of lost samples what the samples about them make likeliest: the linear combination of least mean square error (Wiener
- * 1949), by the series' own autocorrelation, which is found from the series with such gaps bridged, in a few rounds. So a series that moves from
- * sample to sample is bridged as well as its noise allows, where a polynomial knows slow ones only. A gap longer than that gets a straight
- * line.
+ * 1949), by the series' own autocorrelation, which is found from the series with such gaps bridged, in a few rounds. So a series that
+ * moves from sample to sample is bridged as well as its noise allows, where a polynomial knows slow ones only. A gap longer than that gets
+ * a straight line.
  */
 public final class LostSamples {
 

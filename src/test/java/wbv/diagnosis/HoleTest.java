@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
@@ -25,6 +26,7 @@ class HoleTest {
     /** What a hole is bridged by is no motion: neither a fault of a sensor nor a law is told of it. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4})
+    @Tag("slow")
     void nothingIsMissingAboutAHole(long seed) {
         Random random = new Random(seed);
         DoubleUnaryOperator table = Bench.tones(60, 0.5, 0.3131, 0.6, random);
