@@ -61,11 +61,13 @@ final class VerdictWords {
                 + rivals.stream().findFirst().map(rival -> nextBest(rival, numbers)).orElse("") + ".";
     }
 
-    /** A rival, and why it is one no longer where only the model's own numbers speak against it. */
+    /** A rival, and why it is one no longer, or one at all, where only the model's own numbers speak against it or for it. */
     private String nextBest(Diagnosis.Named rival, double numbers) {
+        double odds = rival.numbers() - numbers;
+        String own = odds < Math.log(Priors.ODDS) ? ", with stiffness or damping far from what was given"
+                : odds > -Math.log(Priors.ODDS) ? ", with stiffness or damping nearer to what was given" : "";
         return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
-                + Phrases.percent(Refinement.explained(base, rival.reduced()))
-                + (rival.numbers() - numbers < Math.log(Priors.ODDS) ? ", with stiffness or damping far from what was given" : "");
+                + Phrases.percent(Refinement.explained(base, rival.reduced())) + own;
     }
 
     /**

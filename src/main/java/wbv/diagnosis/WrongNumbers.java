@@ -58,10 +58,10 @@ final class WrongNumbers {
                 : " Surely wrong" + asGiven() + ": " + off.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
     }
 
-    /** What a bench whose motion alone is measured does not show: the mass that sets the scale of the rest is taken as it was given. */
+    /** What motion alone does not show: where no other mass tells it, the one that sets the scale of the rest is taken as it was given. */
     private String asGiven() {
         Model model = evidence.model();
-        boolean open = evidence.onRig() && !model.driven();
+        boolean open = scale.deviation() == 0 && !model.driven();
         return IntStream.range(0, model.bodies().size()).filter(body -> open && isHeld(body)).mapToObj(model.bodies()::get).findFirst()
                 .map(body -> ", if " + body.name() + " weighs " + DisplayedNumber.of("mass_kg").text(body.mass()) + " as given").orElse("");
     }

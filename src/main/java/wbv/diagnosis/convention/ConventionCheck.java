@@ -92,7 +92,7 @@ public final class ConventionCheck {
                 : " The same would show if " + held.others().stream().map(Convention::amiss).collect(Collectors.joining(", or if "))
                         .replace(" is of", " were of").replace(" reads ", " read ").replace(" have ", " had ") + ".";
         return new Meant(held.convention()::read, held.convention().read(recorded),
-                String.format("%s, and %s: as recorded the model leaves %s of %s, whatever its numbers, so %s; %s.%s",
+                String.format("%s, and %s: as recorded the model leaves %s of %s, whatever its numbers, and %s read so; %s.%s",
                         held.convention().amiss(), held.convention().done(), percent(held.before()),
                         held.outputs().size() == model.outputs().size() ? "what its sensors measured" : named(held.outputs()),
                         percent(held.after()), held.convention().remedy(), others));

@@ -53,7 +53,7 @@ final class HeldOutCharts {
         return new BarChart("Error on data that took no part in the fit", ChartAxis.linear("Error over signal, rms", "%"),
                 proofs.stream().map(Diagnosis.Proof::channel).toList(), bars,
                 "Free run on the recorded input, seen with the small errors that every sensor has. The noise floor is what noise leaves "
-                        + "of a perfect model. " + WHISKERS);
+                        + "of a perfect model, at most: where an error is less, so is the noise. " + WHISKERS);
     }
 
     Section bands() {
