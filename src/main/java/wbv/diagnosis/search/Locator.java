@@ -138,7 +138,8 @@ public final class Locator {
                 .toList());
         List<Known.Ignoring> leading = sorted(heat.stream().map(begun -> begun.get(0).found()).toList());
         // Where all leave much, all are near the best, and the best of them is hardly the place either.
-        double reach = Math.min(reach(leading, Effort.BEHIND), leading.get(Math.min(Effort.CONTENDERS, leading.size()) - 1).reduced());
+        double last = leading.stream().limit(Effort.CONTENDERS).mapToDouble(Known.Ignoring::reduced).max().orElse(Double.POSITIVE_INFINITY);
+        double reach = Math.min(reach(leading, Effort.BEHIND), last);
         return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
     }
 
