@@ -32,7 +32,7 @@ public record Excerpts(Recording recording, OptionalDouble provedFrom, String se
     private static final int READINGS = 1 << 17;
     /** A recording is judged whole that is no longer than so many times that: pieces lose what follows their beginnings. */
     private static final double WHOLE = 1.5;
-    /** Part of a piece that may pass until its outputs count [1]. */
+    /** Part of a piece that may pass until its outputs count [1], an effort: with more there are more pieces, and less of each. */
     private static final double SETTLING = 0.1;
     /** Pieces at most: a change through the recording is seen at as many moments. */
     private static final int MOST = 12;

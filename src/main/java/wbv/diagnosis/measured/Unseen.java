@@ -18,8 +18,8 @@ record Unseen(Model model, Recording recording) {
     /** Part of an amplitude that is left when outputs begin to count [1]: less than the sensors' noise is of it. */
     private static final double LEFT = 1e-3;
     /**
-     * Part of what was recorded between two gaps that may pass until then [1]: half as many samples tell numbers hardly less finely, and
-     * what nobody saw passes for something that is missing.
+     * Part of what was recorded between two gaps that may pass until then [1]: with half as many samples intervals are 1.4 times as wide,
+     * and what still rings passes for something that is missing.
      */
     private static final double MOST_SETTLING = 0.5;
 
