@@ -64,8 +64,9 @@ final class VerdictWords {
     /** A rival, and why it is one no longer, or one at all, where only the model's own numbers speak against it or for it. */
     private String nextBest(Diagnosis.Named rival, double numbers) {
         double odds = rival.numbers() - numbers;
+        boolean open = rival.probability() > 1 - Priors.HELD;
         String own = odds < Math.log(Priors.ODDS) ? ", with stiffness or damping far from what was given"
-                : odds > -Math.log(Priors.ODDS) ? ", with stiffness or damping nearer to what was given" : "";
+                : open && odds > -Math.log(Priors.ODDS) ? ", with stiffness or damping nearer to what was given" : "";
         return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
                 + Phrases.percent(Refinement.explained(base, rival.reduced())) + own;
     }

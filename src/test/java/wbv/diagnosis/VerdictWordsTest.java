@@ -78,6 +78,21 @@ class VerdictWordsTest {
         assertFalse(sentence.contains("hysteresis"), sentence);
     }
 
+    /** How a sentence ends beside a rival of so much probability whose numbers lie so much nearer to what was given [nat]. */
+    private static String ending(double probability, double nearer) {
+        Diagnosis.Named rival = new Diagnosis.Named("hysteresis", "a-b", probability, Map.of(), Map.of(), 6, nearer - 20);
+        return new VerdictWords(fits(21), 21, new MassScale(1, 0)).ending(0.9, -20, List.of(rival));
+    }
+
+    @Test
+    void whatTheNumbersSayOfARivalIsToldWhereItDecides() {
+        String beside = "; explains 90 % of the mismatch; next best hysteresis at a-b, 75 %";
+        assertEquals(beside + ", with stiffness or damping nearer to what was given.", ending(0.45, 10));
+        assertEquals(beside + ", with stiffness or damping far from what was given.", ending(1e-4, -10));
+        assertEquals(beside + ".", ending(1e-4, 10));
+        assertEquals(beside + ".", ending(0.45, 1));
+    }
+
     @Test
     void aFormThatTakesNothingIsNotTold() {
         Fits fits = fits(21);
