@@ -18,8 +18,8 @@ final class Experiments {
     private static final String SEAT = "Measure the force under the seat pan, or put a second sensor on the platform and swap "
             + "the two: a force on the first body, one in the link below it and a fault of the platform's sensor move all "
             + "bodies alike.";
-    private static final String SCALE = "Weigh the person, or record the seat's force once: forces are known only up to the "
-            + "scale of the masses.";
+    private static final String SCALE = "Weigh who or what is moved, or record the force under it once: forces are known only "
+            + "up to the scale of the masses.";
 
     static final String AGAIN = "Record the same ride again, twice as long: a law comes back in every part of it, an event does not.";
     static final String CAUSE = "See that the input is the channel that drives what was measured, on the same clock, and that both have "

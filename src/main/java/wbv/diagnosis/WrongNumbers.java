@@ -52,17 +52,27 @@ final class WrongNumbers {
         if (curvature.length == 0 || !Arrays.stream(curvature).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite)) {
             return "";
         }
-        List<Off> off = IntStream.range(0, base.candidate().given()).boxed().flatMap(i -> off(i, curvature).stream())
-                .sorted(Comparator.comparingDouble(Off::sureness).reversed()).limit(MOST).toList();
-        return off.isEmpty() ? ""
-                : " Surely wrong" + asGiven() + ": " + off.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
+        // Where the scale of all masses is open, numbers may all be right and still not fit each other.
+        for (MassScale held : List.of(scale, MassScale.NONE)) {
+            List<Off> surest = surest(curvature, held);
+            if (!surest.isEmpty()) {
+                return " Surely wrong" + (held.deviation() == 0 ? asGiven() : "") + ": "
+                        + surest.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
+            }
+        }
+        return "";
     }
 
-    /** What motion alone does not show: where no other mass tells it, the one that sets the scale of the rest is taken as it was given. */
+    private List<Off> surest(double[][] curvature, MassScale held) {
+        return IntStream.range(0, base.candidate().given()).boxed().flatMap(i -> off(i, curvature, held).stream())
+                .sorted(Comparator.comparingDouble(Off::sureness).reversed()).limit(MOST).toList();
+    }
+
+    /** What motion alone does not show: the mass that sets the scale of the rest is taken as it was given. */
     private String asGiven() {
         Model model = evidence.model();
-        boolean open = scale.deviation() == 0 && !model.driven();
-        return IntStream.range(0, model.bodies().size()).filter(body -> open && isHeld(body)).mapToObj(model.bodies()::get).findFirst()
+        return IntStream.range(0, model.bodies().size()).filter(body -> !model.driven() && isHeld(body)).mapToObj(model.bodies()::get)
+                .findFirst()
                 .map(body -> ", if " + body.name() + " weighs " + DisplayedNumber.of("mass_kg").text(body.mass()) + " as given").orElse("");
     }
 
@@ -71,7 +81,7 @@ final class WrongNumbers {
                 .noneMatch(knob -> knob.slot().kind() == Slot.Kind.MASS && knob.slot().at() == body);
     }
 
-    private Optional<Off> off(int i, double[][] curvature) {
+    private Optional<Off> off(int i, double[][] curvature, MassScale held) {
         Knob knob = base.candidate().knobs().get(i);
         if (knob.unit() != 0 || !(knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS)) {
             return Optional.empty();
@@ -79,11 +89,11 @@ final class WrongNumbers {
         double[] unit = new double[curvature.length];
         unit[i] = 1;
         double variance = Math.max(0, DampedEquations.solve(curvature, unit, base.held(), 0)[i]);
-        double deviation = Math.hypot(Math.hypot(Math.sqrt(variance), scale.deviation()), SmallError.Kind.GAIN.deviation());
-        double shift = base.x()[i] + Math.log(scale.factor());
+        double deviation = Math.hypot(Math.hypot(Math.sqrt(variance), held.deviation()), SmallError.Kind.GAIN.deviation());
+        double shift = base.x()[i] + Math.log(held.factor());
         double sureness = Math.abs(shift) / deviation;
         return base.held()[i] || !(sureness > Interval.Z) ? Optional.empty()
-                : Optional.of(new Off(knob, scale.factor() * knob.value(base.x()[i]), sureness));
+                : Optional.of(new Off(knob, held.factor() * knob.value(base.x()[i]), sureness));
     }
 
     private String told(Off off) {

@@ -95,7 +95,7 @@ class ConstantsTest {
                 asked.add(name(file));
             }
         }
-        assertEquals(Set.of("PlainFaults", "ForceSign", "Diagnoser", "MassScale", "Grammar", "Terms"), asked);
+        assertEquals(Set.of("PlainFaults", "ForceSign", "Diagnoser", "Grammar", "Terms"), asked);
     }
 
     @Test

@@ -59,7 +59,7 @@ class ExperimentsTest {
         Diagnosis.Named sure = new Diagnosis.Named("friction.coulomb", "seat-torso", 0.98, Map.of("friction_N", 30.0), Map.of(),
                 1);
         assertTrue(EXPERIMENTS.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)),
-                BASE, true, false).startsWith("Weigh the person"));
+                BASE, true, false).startsWith("Weigh who or what is moved"));
         String rig = EXPERIMENTS.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false, false);
         assertTrue(rig.contains("0.3 Hz"), "where forces were measured there is nothing to weigh: " + rig);
     }

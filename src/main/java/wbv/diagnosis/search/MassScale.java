@@ -29,10 +29,11 @@ import wbv.diagnosis.fit.Slot;
  */
 public record MassScale(double factor, double deviation) {
 
-    private static final MassScale NONE = new MassScale(1, 0);
+    /** All masses as the fit has them. */
+    public static final MassScale NONE = new MassScale(1, 0);
 
     /**
-     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose
+     * The factor that a fit leaves open; 1 exactly where a force is measured, and where the model came with laws or drives, whose
      * forces are in newtons.
      *
      * @param state with slopes. Not modified.
@@ -42,7 +43,7 @@ public record MassScale(double factor, double deviation) {
         boolean kinematic = template.outputs().stream().allMatch(o -> o.reading() != Assembly.Reading.LINK_FORCE);
         Assembly users = evidence.model().assembly();
         // A law that came with the model has forces in newtons, which set the scale.
-        if (evidence.onRig() || !kinematic || !users.laws().isEmpty() || !users.drives().isEmpty()) {
+        if (!kinematic || !users.laws().isEmpty() || !users.drives().isEmpty()) {
             return NONE;
         }
         double[][] curvature = new Normal(state).curvature();

@@ -1,11 +1,14 @@
 package wbv.diagnosis.search;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import wbv.body.Model;
 import wbv.body.law.LearnedTerm;
 import wbv.body.number.Modulator;
 import wbv.body.number.Shape;
@@ -43,5 +46,32 @@ class MassScaleTest {
             assertArrayEquals(read[o], scaled[o], 1e-9);
         }
         assertTrue(state.errors().length > 0, "sensors err, and ways differ");
+    }
+
+    /**
+     * Of two masses given to a tenth each, whose ratio motion tells, both are taken to be wrong alike: the factor makes up for half of what
+     * the ratio is off by, in logarithms; its deviation is a tenth over the root of two. On a rig as of a person.
+     */
+    @Test
+    void twoMassesShareWhatTheirRatioIsOffBy() {
+        Model truth = LawLearnerTest.model(List.of());
+        double off = Math.log(1.12);
+        for (Model.Subject subject : Model.Subject.values()) {
+            Model given = lighterHead(truth, off).declaredAs(subject);
+            Evidence own = new Evidence(given, LawLearnerTest.recording(truth));
+            Fitter.State base = new Search(own, (step, share) -> {}).base(Baseline.of(own));
+            MassScale scale = MassScale.of(own, new Fitter(own).lookWithSlopes(base.candidate(), base.x(), base.frame()));
+            assertEquals(-off / 2, Math.log(scale.factor()), 0.01, "" + subject);
+            assertEquals(Priors.MASS / Math.sqrt(2), scale.deviation(), 0.005, "" + subject);
+        }
+    }
+
+    /** The head given lighter than it is, by so much in its logarithm. */
+    private static Model lighterHead(Model truth, double off) {
+        Model.Body torso = truth.bodies().get(0);
+        Model.Body head = truth.bodies().get(1);
+        return new Model(truth.name(), Optional.empty(), truth.axis(), truth.base(), List.of(torso,
+                new Model.Body(head.name(), head.mass() * Math.exp(-off), head.sensor(), List.of(), Optional.empty(), List.of())),
+                truth.links());
     }
 }
