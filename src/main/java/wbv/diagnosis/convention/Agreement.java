@@ -3,9 +3,12 @@ package wbv.diagnosis.convention;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Parallel;
@@ -23,6 +26,8 @@ final class Agreement {
     private static final double AMISS = 50;
     /** Conventions that are fitted after a look at all. */
     private static final int FITTED = 8;
+    /** Those beside which a second is asked for. */
+    private static final int FIRSTS = 2;
     /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
     private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
 
@@ -30,21 +35,28 @@ final class Agreement {
     private static final double UNEXPLAINED = 0.5;
 
     private final Model model;
-    private final Recording part;
     private final Stretch stretch;
     private final Case asRead;
     private final Optional<Weighed> given;
 
     Agreement(Model model, Recording part) {
         this.model = model;
-        this.part = part;
         this.stretch = new Stretch(present(model, part));
-        this.asRead = new Case(Optional.empty(), runs(model, part), spectra(part));
-        this.given = fit(asRead).best(starts(asRead)).map(fit -> new Weighed(asRead, fit, fit.cost()));
+        this.asRead = new Case(Optional.empty(), model, part, runs(model, part), spectra(part), List.of());
+        this.given = weighed(asRead);
     }
 
-    /** A convention, or none, and the model and the measurements that it makes. */
-    private record Case(Optional<Convention> convention, ModelRuns runs, double[][] measured) {}
+    /**
+     * A convention, or none, and the model and the measurements that it makes.
+     *
+     * @param begun where what is right already has led the numbers. Not copied
+     */
+    private record Case(Optional<Convention> convention, Model model, Recording part, ModelRuns runs, double[][] measured,
+            List<double[]> begun) {
+        Case from(double[] x) {
+            return new Case(convention, model, part, runs, measured, List.of(x));
+        }
+    }
 
     /**
      * A case and what came of it.
@@ -114,63 +126,88 @@ final class Agreement {
         }).mapToObj(model.outputs()::get).toList())).orElse(List.of());
     }
 
-    /** The one of some conventions that is held; empty where none is. */
+    /** The one of some conventions that is held, or the two where no one is; empty where neither. */
     Optional<Held> held(List<Convention> all) {
         return given.filter(before -> asks(all.size())).flatMap(before -> {
-            List<Weighed> fitted = Parallel.map(likeliest(all), this::weighed).stream().flatMap(Optional::stream)
-                    .filter(after -> explains(before, after, after.convention())).sorted(Comparator.comparingDouble(Weighed::cost))
-                    .toList();
-            return fitted.stream().findFirst().filter(best -> before.cost() - best.cost() > sure(all.size()))
-                    .map(best -> new Held(best.convention(), touched(best.convention()), left(before, best.convention()),
-                            left(best, best.convention()), fitted.stream().skip(1)
-                                    .filter(other -> other.cost() < best.cost() - Math.log(Priors.ODDS)
-                                            && explains(before, other, best.convention()))
-                                    .map(Weighed::convention).toList()));
+            double sure = sure(all.size());
+            List<Case> cases = all.stream().map(one -> read(before.of(), one, before.fit().x())).toList();
+            List<Weighed> alone = likeliest(cases);
+            return held(before, alone, before.cost() - sure).or(() -> before.cost() - fit(asRead).least() > 2 * sure
+                    ? held(before, likeliest(pairs(firsts(before, alone, cases), all)),
+                            alone.stream().mapToDouble(one -> one.cost() + sure).min().stream().reduce(before.cost(), Math::min) - 2 * sure)
+                    : Optional.empty());
         });
     }
 
-    private List<Case> likeliest(List<Convention> all) {
-        List<Case> cases = all.stream().map(this::read).toList();
+    /** Those beside which another may be amiss: that explain much alone, or that move every output where none is explained at all. */
+    private Stream<Case> firsts(Weighed before, List<Weighed> alone, List<Case> cases) {
+        boolean nothing = unexplained(0).size() == model.outputs().size();
+        return Stream.concat(
+                alone.stream().filter(one -> before.cost() - one.cost() > -Math.log(Priors.ODDS)).limit(FIRSTS)
+                        .map(one -> one.of().from(one.fit().x())),
+                cases.stream().filter(each -> nothing && movesAll(each.convention().orElseThrow())));
+    }
+
+    /** @param most what it may cost [nat] */
+    private Optional<Held> held(Weighed before, List<Weighed> some, double most) {
+        List<Weighed> good = some.stream().filter(after -> explains(before, after, after.convention())).toList();
+        return good.stream().findFirst().filter(best -> best.cost() < most)
+                .map(best -> new Held(best.convention(), touched(best.convention()), left(before, best.convention()),
+                        left(best, best.convention()), good.stream().skip(1)
+                                .filter(other -> other.cost() < best.cost() - Math.log(Priors.ODDS)
+                                        && explains(before, other, best.convention()))
+                                .map(Weighed::convention).toList()));
+    }
+
+    /** The likeliest of some after a look at all, fitted, best first. */
+    private List<Weighed> likeliest(List<Case> cases) {
         double[] costs = new double[cases.size()];
-        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse(begun(cases.get(i))) + size(cases.get(i)));
-        return IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(i -> costs[i])).limit(FITTED).map(cases::get)
+        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse(starts(cases.get(i))) + size(cases.get(i)));
+        List<Case> likeliest = IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(i -> costs[i])).limit(FITTED)
+                .map(cases::get).toList();
+        return Parallel.map(likeliest, this::weighed).stream().flatMap(Optional::stream).sorted(Comparator.comparingDouble(Weighed::cost))
                 .toList();
     }
 
-    private Case read(Convention convention) {
-        Recording read = convention.read(part);
-        Model meant = convention.read(model);
-        boolean runsAnew = !meant.equals(model) || model.excitations().stream().anyMatch(convention.touched()::contains);
-        return new Case(Optional.of(convention), runsAnew ? runs(meant, read) : asRead.runs(), spectra(read));
+    /** Each of some with every other that has to do with something else, once. */
+    private List<Case> pairs(Stream<Case> firsts, List<Convention> all) {
+        List<Case> pairs = new ArrayList<>();
+        Set<Convention> asked = new HashSet<>();
+        firsts.filter(first -> asked.add(first.convention().orElseThrow())).forEach(first -> all.stream()
+                .filter(second -> !asked.contains(second) && first.convention().orElseThrow().goesWith(second))
+                .forEach(second -> pairs.add(read(first, second, first.begun().get(0)))));
+        return pairs;
+    }
+
+    /** @param x where numbers were led. Not copied */
+    private Case read(Case of, Convention convention, double[] x) {
+        Recording read = convention.read(of.part());
+        Model meant = convention.read(of.model());
+        boolean runsAnew = !meant.equals(of.model()) || model.excitations().stream().anyMatch(convention.touched()::contains);
+        Convention whole = of.convention().<Convention>map(first -> new Convention.Both(first, convention)).orElse(convention);
+        return new Case(Optional.of(whole), meant, read, runsAnew ? runs(meant, read) : of.runs(), spectra(read), List.of(x));
     }
 
     private Optional<Weighed> weighed(Case of) {
-        return fit(of).best(begun(of)).map(fit -> new Weighed(of, fit, fit.cost() + size(of)));
+        return fit(of).best(starts(of)).map(fit -> new Weighed(of, fit, fit.cost() + size(of)));
     }
 
+    /** Where fits begin: at what was given, and where what is right already has led the numbers. */
     private List<double[]> starts(Case of) {
         List<double[]> starts = new ArrayList<>(List.of(of.runs().shifted(0, 0)));
         for (double[] shift : model.isRig() && !model.driven() ? SHIFTS : new double[0][]) {
             starts.add(of.runs().shifted(shift[0], shift[1]));
         }
-        return starts;
-    }
-
-    /** Where fits of conventions begin: there, and where what is right already has led the numbers. */
-    private List<double[]> begun(Case of) {
-        List<double[]> starts = starts(of);
-        given.ifPresent(fit -> starts.add(fit.fit().x()));
+        starts.addAll(of.begun());
         return starts;
     }
 
     /** By how much less usual sizes are as a convention has them [nat]. */
     private double size(Case of) {
-        Convention convention = of.convention().orElseThrow();
-        Recording read = convention.read(part);
-        return UsualSize.cost(convention.read(model)) - UsualSize.cost(model) + convention.touched().stream()
-                .mapToDouble(channel -> UsualSize.cost(channel.quantity(), rms(read.values(channel)))
-                        - UsualSize.cost(channel.quantity(), rms(part.values(channel))))
-                .sum();
+        return of.convention().map(convention -> UsualSize.cost(of.model()) - UsualSize.cost(model) + convention.touched().stream()
+                .mapToDouble(channel -> UsualSize.cost(channel.quantity(), rms(of.part().values(channel)))
+                        - UsualSize.cost(channel.quantity(), rms(asRead.part().values(channel))))
+                .sum()).orElse(0.0);
     }
 
     private static double rms(double[] x) {
@@ -179,8 +216,11 @@ final class Agreement {
 
     /** Outputs that a convention touches: all of them where it changes what moves them. */
     private List<Channel> touched(Convention convention) {
-        boolean moves = convention.touched().isEmpty() || model.excitations().stream().anyMatch(convention.touched()::contains);
-        return model.outputs().stream().filter(output -> moves || convention.touched().contains(output)).toList();
+        return model.outputs().stream().filter(output -> movesAll(convention) || convention.touched().contains(output)).toList();
+    }
+
+    private boolean movesAll(Convention convention) {
+        return convention.ofNumbers() || model.excitations().stream().anyMatch(convention.touched()::contains);
     }
 
     /** Part of what these outputs measured that is left [1]. */

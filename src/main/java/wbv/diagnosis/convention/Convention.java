@@ -3,6 +3,7 @@ package wbv.diagnosis.convention;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +25,16 @@ public sealed interface Convention {
 
     /** Channels whose values change. */
     Set<Channel> touched();
+
+    /** Whether it changes numbers of the model. */
+    default boolean ofNumbers() {
+        return false;
+    }
+
+    /** Whether another may be amiss beside it: one that has to do with something else. */
+    default boolean goesWith(Convention other) {
+        return !(ofNumbers() && other.ofNumbers()) && Collections.disjoint(touched(), other.touched());
+    }
 
     /** What is amiss, as a clause. */
     String amiss();
@@ -122,7 +133,7 @@ public sealed interface Convention {
 
         @Override
         public String remedy() {
-            return "exchange them in a column map (--map)";
+            return "exchange " + one + " and " + other + " in a column map (--map)";
         }
     }
 
@@ -163,6 +174,11 @@ public sealed interface Convention {
         }
 
         @Override
+        public boolean ofNumbers() {
+            return true;
+        }
+
+        @Override
         public String amiss() {
             return "the model's " + what + " look to be in " + unit;
         }
@@ -174,7 +190,51 @@ public sealed interface Convention {
 
         @Override
         public String remedy() {
-            return "give them in the model in the units that its keys say";
+            return "give the model's " + what + " in the units that its keys say";
+        }
+    }
+
+    /** Two at once that have to do with different things, in whichever order they are read. */
+    record Both(Convention one, Convention other) implements Convention {
+        public Both {
+            if (!one.goesWith(other)) {
+                throw new IllegalArgumentException("each has to do with something else: " + one + " and " + other);
+            }
+        }
+
+        @Override
+        public Recording read(Recording recording) {
+            return other.read(one.read(recording));
+        }
+
+        @Override
+        public Model read(Model model) {
+            return other.read(one.read(model));
+        }
+
+        @Override
+        public Set<Channel> touched() {
+            return Stream.concat(one.touched().stream(), other.touched().stream()).collect(Collectors.toUnmodifiableSet());
+        }
+
+        @Override
+        public boolean ofNumbers() {
+            return one.ofNumbers() || other.ofNumbers();
+        }
+
+        @Override
+        public String amiss() {
+            return one.amiss() + " and " + other.amiss();
+        }
+
+        @Override
+        public String done() {
+            return "both were read as they are meant";
+        }
+
+        @Override
+        public String remedy() {
+            return one.remedy() + ", and " + other.remedy();
         }
     }
 

@@ -90,7 +90,8 @@ public final class ConventionCheck {
     private Meant meant(Agreement.Held held, Recording recorded) {
         String others = held.others().isEmpty() ? ""
                 : " The same would show if " + held.others().stream().map(Convention::amiss).collect(Collectors.joining(", or if "))
-                        .replace(" is of", " were of").replace(" reads ", " read ").replace(" have ", " had ") + ".";
+                        .replace(" is of", " were of").replace(" reads ", " read ").replace(" have ", " had ")
+                        .replace(" look to be ", " were ") + ".";
         return new Meant(held.convention()::read, held.convention().read(recorded),
                 String.format("%s, and %s: as recorded the model leaves %s of %s, whatever its numbers, and %s read so; %s.%s",
                         held.convention().amiss(), held.convention().done(), percent(held.before()),

@@ -100,6 +100,44 @@ class ConventionCheckTest {
         });
     }
 
+    private static Stream<Case> twice(long seed) {
+        Ride person = MeantRides.person(seed, OFF, Extra.NONE);
+        Ride bench = MeantRides.bench(seed, OFF, Extra.NONE);
+        Ride pushed = MeantRides.pushed(seed, OFF, "pos", Extra.NONE);
+        return Stream.of(
+                new Case("a bench's links in N/mm, its sensors exchanged", "", bench.exchanged("frame.acc.z", "load.acc.z")
+                        .of(scaled(bench.model(), 1e-3, 1e-3, 1)), bench),
+                new Case("a person's masses in g, trunk and head exchanged", "", person.exchanged("trunk.acc.z", "head.acc.z")
+                        .of(scaled(person.model(), 1, 1, 1000)), person),
+                new Case("a person's links in N/mm, base and seat exchanged", "", person.exchanged("platform.acc.z", "seat.acc.z")
+                        .of(scaled(person.model(), 1e-3, 1e-3, 1)), person),
+                new Case("a bench's table upside down, its stiffness in N/mm", "", bench.times("platform.acc.z", -1)
+                        .of(scaled(bench.model(), 1e-3, 1, 1)), bench),
+                new Case("a force in kN, stiffness in N/mm", "", pushed.times("mass.force.z", 1e-3)
+                        .of(scaled(pushed.model(), 1e-3, 1, 1)), pushed));
+    }
+
+    /** Of two that hide each other neither agrees alone. */
+    @ParameterizedTest
+    @MethodSource("seeds")
+    @Tag("slow")
+    void whatIsAmissTwiceIsFound(long seed) {
+        twice(seed).forEach(each -> {
+            String where = seed + ", " + each.name();
+            Ride read = each.asRead();
+            StringBuilder said = new StringBuilder();
+            for (Optional<Meant> meant = asked(read); meant.isPresent(); meant = asked(read)) {
+                read = new Ride(meant.get().model().apply(read.model()), meant.get().recording());
+                said.append(meant.get().sentence()).append('\n');
+            }
+            Ride found = read;
+            each.meant().recording().channels().forEach(channel -> assertArrayEquals(each.meant().recording().values(channel),
+                    found.recording().values(channel), 1e-6, where + ": " + said));
+            assertArrayEquals(each.meant().model().assembly().structure().values(), found.model().assembly().structure().values(), 1e-6,
+                    where + ": " + said);
+        });
+    }
+
     private static Optional<Meant> asked(Ride ride) {
         return ConventionCheck.of(ride.model(), ride.recording(), true, true);
     }
