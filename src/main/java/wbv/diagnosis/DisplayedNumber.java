@@ -48,7 +48,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
         for (Map.Entry<String, DisplayedNumber> ending : UNITS.entrySet()) {
             if (key.endsWith(ending.getKey()) && key.length() > ending.getKey().length()) {
                 DisplayedNumber unit = ending.getValue();
-                return new DisplayedNumber(label(key.substring(0, key.length() - ending.getKey().length())), unit.factor(), unit.unit());
+                int name = unit.unit().equals("%") ? key.length() : key.length() - ending.getKey().length();
+                return new DisplayedNumber(label(key.substring(0, name)), unit.factor(), unit.unit());
             }
         }
         return new DisplayedNumber(label(key), 1, "");
@@ -141,6 +142,7 @@ public record DisplayedNumber(String label, double factor, String unit) {
         put(out, "_s", 1, "s");
         put(out, "_N", 1, "N");
         put(out, "_m", 1e3, "mm");
+        put(out, "_change", 100, "%");
         return out;
     }
 

@@ -16,6 +16,8 @@ class DisplayedNumberTest {
         assertEquals(new DisplayedNumber("time", 1, "s"), DisplayedNumber.of("time_s"));
         assertEquals(new DisplayedNumber("delay", 1e3, "ms"), DisplayedNumber.of("delay_s"));
         assertEquals(new DisplayedNumber("lever arm on platform.gyr.y", 1e3, "mm"), DisplayedNumber.of("lever_arm_m on platform.gyr.y"));
+        assertEquals(new DisplayedNumber("stiffness change at 21.8 °C of oil.temp.s", 100, "%"),
+                DisplayedNumber.of("stiffness_change at 21.8 °C of oil.temp.s"));
         assertEquals(new DisplayedNumber("share", 1, ""), DisplayedNumber.of("share"));
     }
 

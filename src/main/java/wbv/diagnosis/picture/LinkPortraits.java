@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.law.Law;
+import wbv.body.law.ScheduledFriction;
+import wbv.body.law.ScheduledLink;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.learn.LatentForce;
@@ -51,7 +53,13 @@ final class LinkPortraits {
     /** Portraits of a law that was found. */
     List<Portrait> of(Law law) {
         if (law.isLinear()) {
-            return dynamicStiffness();
+            return new DynamicStiffness(evidence, latent, where, scale).portraits();
+        }
+        if (law instanceof ScheduledLink link) {   // over motion it is another curve at each level
+            return schedule(new LinkSchedule(evidence, latent, where, link.by(), scale).of(link, stiffness, damping));
+        }
+        if (law instanceof ScheduledFriction friction) {
+            return schedule(new LinkSchedule(evidence, latent, where, friction.by(), scale).of(friction));
         }
         LawShape shape = new LawShape(law, stiffness, damping, known(r), known(v), evidence.recording().clock(),
                 (int) (evidence.recording().elapsed(evidence.recording().length() - 1) * rate) + 1);
@@ -70,6 +78,10 @@ final class LinkPortraits {
                     over(Side.DEFLECTION, force, 0, NO_CURVE));
         }
         return List.of(loop(Side.DEFLECTION), loop(Side.VELOCITY));
+    }
+
+    private List<Portrait> schedule(Portrait overChannel) {
+        return List.of(overChannel, over(Side.DEFLECTION, force, 0, NO_CURVE), over(Side.VELOCITY, force, 0, NO_CURVE));
     }
 
     /** Portraits of a force that no law carries. */
@@ -210,35 +222,6 @@ final class LinkPortraits {
             }
         }
         return best;
-    }
-
-    /** Force over deflection by frequency. */
-    private List<Portrait> dynamicStiffness() {
-        double[] known = IntStream.range(0, force.length).mapToDouble(i -> latent.known(i) ? force[i] : Double.NaN).toArray();
-        return OutputCharts.response(r, new double[][] {known, latent.law()}, rate).map(h -> {
-            double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-            int[] shown = IntStream.range(0, h.get(0).frequency().length)
-                    .filter(k -> h.get(0).frequency()[k] >= 1.2 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
-                    .toArray();
-            double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
-            List<Portrait> out = new ArrayList<>();
-            for (int part = 0; part < 2; part++) {
-                double[] measured = OutputCharts.pick(part == 0 ? h.get(0).h1().re() : h.get(0).h1().im(), shown);
-                double[] law = OutputCharts.pick(part == 0 ? h.get(1).h1().re() : h.get(1).h1().im(), shown);
-                double[] error = IntStream.of(shown).mapToDouble(k -> h.get(0).error()[k] * h.get(0).h1().magnitude(k)).toArray();
-                out.add(new Portrait((part == 0 ? "Stiffness" : "Loss") + " of " + where + " beside the linear link",
-                        new Portrait.Scale("Frequency", "Hz", true),
-                        Portrait.Scale.of(part == 0 ? "Real part" : "Imaginary part", scale.stiffness()),
-                        List.of(Portrait.Trail.measured("as the recording asks", f, divided(measured), divided(error)),
-                                Portrait.Trail.law("law found", f, divided(law))),
-                        part == 0 ? "Force over deflection at each frequency: a spring is level, a relaxing one rises." : ""));
-            }
-            return out;
-        }).orElse(new ArrayList<>());
-    }
-
-    private double[] divided(double[] x) {
-        return Arrays.stream(x).map(value -> scale.stiff() * value).toArray();
     }
 
     private double[] scaled(double[] x) {

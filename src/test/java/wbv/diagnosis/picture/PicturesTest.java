@@ -22,7 +22,11 @@ import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
+import wbv.body.law.ScheduledFriction;
+import wbv.body.law.ScheduledLink;
 import wbv.body.law.StepChange;
+import wbv.body.number.Modulator;
+import wbv.body.number.Numbers;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnosis;
@@ -78,9 +82,14 @@ class PicturesTest {
         }
 
         static Trial with(Law law, double noise, List<Assembly.DriveAt> drives) {
+            return with(law, noise, drives, Map.of());
+        }
+
+        /** @param further channels that a law goes by */
+        static Trial with(Law law, double noise, List<Assembly.DriveAt> drives, Map<Channel, double[]> further) {
             Random random = new Random(7);
             double[] base = banded(random, 2, 9, 0.5);
-            Excitation excitation = new Excitation(RATE, base, Map.of());
+            Excitation excitation = new Excitation(RATE, base, further);
             Assembly linear = MODEL.assembly();
             Assembly truth = new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), drives, linear.outputs());
             Simulator.Response response = new Simulator(excitation).run(truth, false);
@@ -88,9 +97,10 @@ class PicturesTest {
             channels.put(BASE, noisy(base, noise, random));
             channels.put(SEAT, noisy(excitation.series(response.outputs()[0]), noise, random));
             channels.put(TORSO, noisy(excitation.series(response.outputs()[1]), noise, random));
-            for (String further : List.of("platform.acc.x", "platform.acc.y", "seat.acc.x", "seat.acc.y", "sternum.acc.x", "sternum.acc.y",
+            channels.putAll(further);
+            for (String across : List.of("platform.acc.x", "platform.acc.y", "seat.acc.x", "seat.acc.y", "sternum.acc.x", "sternum.acc.y",
                     "platform.gyr.x", "platform.gyr.y", "seat.gyr.x", "seat.gyr.y", "sternum.gyr.x", "sternum.gyr.y")) {
-                channels.put(Channel.parse(further), noisy(banded(random, 2, 9, further.contains("gyr") ? 0.02 : 0.1), noise, random));
+                channels.put(Channel.parse(across), noisy(banded(random, 2, 9, across.contains("gyr") ? 0.02 : 0.1), noise, random));
             }
             Evidence evidence = new Evidence(MODEL, new Recording(new Clock(0, RATE), channels, Metadata.NONE));
             return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]),
@@ -212,6 +222,39 @@ class PicturesTest {
             }
         }
         assertTrue(compared >= 7, "blocks compared: " + compared);
+    }
+
+    /** A spring that goes by where a roller stands, from 15 % less to 25 % more, and friction that does. */
+    @Test
+    void whatGoesByAChannelIsDrawnOverIt() {
+        Channel roller = Channel.parse("roller.pos.z");
+        double[] place = IntStream.range(0, SAMPLES).mapToDouble(i -> 0.05 * Math.sin(0.03 * i / RATE * 2 * Math.PI + 1)).toArray();
+        Modulator by = new Modulator.Level(roller, -0.05, 0.05);
+        for (Law law : List.of(new ScheduledLink(ScheduledLink.Of.STIFFNESS, by, 0.2, 0.05, 0, 0),
+                new ScheduledFriction(by, 20, 10, 0, 0, 0, 0.02))) {
+            boolean spring = law instanceof ScheduledLink;
+            Trial trial = Trial.with(law, NOISE, List.of(), Map.of(roller, place));
+            double[] values = Numbers.values((Record) law);
+            Hypothesis named = new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "",
+                    List.of(new Addition.InLink(LINK, law)),
+                    Arrays.stream(values).mapToObj(any -> Hypothesis.Number.sum(1, -100, 100)).toList(),
+                    List.of(Hypothesis.Start.fixed(values)));
+            Fitter.State chosen = state(trial, named, values);
+            Portrait portrait = pictures(trial, trial.bare(), chosen, List.of()).portraits().get(0);
+            assertEquals((spring ? "Stiffness change" : "Friction") + " in seat-torso over roller.pos.z", portrait.title());
+            Portrait.Trail curve = trail(portrait, Portrait.Kind.LAW);
+            Portrait.Trail levels = trail(portrait, Portrait.Kind.MEAN);
+            assertEquals(-50, curve.x()[0], 1e-9);
+            for (int i = 0; i < curve.x().length; i++) {
+                double u = curve.x()[i] / 50;
+                assertEquals(spring ? 100 * (0.2 * u + 0.05 * u * u) : 20 + 10 * u, curve.y()[i], 1e-9);
+            }
+            for (int b = 0; b < levels.x().length; b++) {
+                double u = levels.x()[b] / 50;
+                double expected = spring ? 100 * (0.2 * u + 0.05 * u * u) : 20 + 10 * u;
+                assertEquals(expected, levels.y()[b], 4 * levels.deviation()[b] + 0.05 * Math.abs(expected), law + " at " + levels.x()[b]);
+            }
+        }
     }
 
     @Test
