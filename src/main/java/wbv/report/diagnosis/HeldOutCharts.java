@@ -119,8 +119,8 @@ final class HeldOutCharts {
         if (Double.isNaN(ranged.value()) || Double.isNaN(ranged.low())) {
             return "–";   // in one draw or another there was nothing to remove
         }
-        return Digits.rounded(100 * ranged.value(), 1) + " (" + Digits.rounded(100 * ranged.low(), 1) + " to "
-                + Digits.rounded(100 * ranged.high(), 1) + ")";
+        return Digits.rounded(100 * ranged.value(), 0) + " (" + Digits.rounded(100 * ranged.low(), 0) + " to "
+                + Digits.rounded(100 * ranged.high(), 0) + ")";
     }
 
     private static String band(double[] band) {
