@@ -17,6 +17,7 @@ import wbv.recording.RowReader;
 import wbv.recording.format.MapDraft;
 import wbv.recording.format.RecordingFile;
 import wbv.result.ResultsJson;
+import wbv.study.AnalysisRequest;
 
 /** {@code wbv map}: drafts the column map of a file whose columns nobody has named. */
 @Command(name = "map", mixinStandardHelpOptions = true,
@@ -60,7 +61,8 @@ final class MapColumns implements Callable<Integer> {
         StringBuilder text = new StringBuilder(file.getFileName() + " is " + draft.where() + ".\n");
         draft.lines().forEach(line -> text.append("  ").append(line).append('\n'));
         draft.questions().forEach(question -> text.append("QUESTION: ").append(question).append('\n'));
-        List<String> command = List.of(draft.command().split(" ", 2));
+        boolean moved = draft.command().equals("analyze") && AnalysisRequest.usualInput(draft.drafted()).isEmpty();
+        List<String> command = List.of((draft.command() + (moved ? " --input CHANNEL, the one that moves the rest" : "")).split(" ", 2));
         answer.print(text.toString(), "Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
                 + command.get(0) + " " + file + " --map " + map + (command.size() > 1 ? " " + command.get(1) : "") + "\n", () -> json);
         return 0;

@@ -1,9 +1,11 @@
 package wbv.study;
 
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -43,16 +45,14 @@ public record AnalysisRequest(RowSource source, String title, Optional<Path> map
         if (!input.isEmpty()) {
             return input.get(0);
         }
-        for (Quantity quantity : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE)) {
-            for (String base : BASES) {
-                Channel vertical = new Channel(base, quantity, 'z');
-                if (channels.contains(vertical)) {
-                    return vertical;
-                }
-            }
-        }
-        throw DataFault.in(name, "has no platform.acc.z, floor.acc.z or seat.acc.z; name the exciting channel with --input: "
-                + channels);
+        return usualInput(channels).orElseThrow(() -> DataFault.in(name,
+                "has no platform.acc.z, floor.acc.z or seat.acc.z; name the exciting channel with --input: " + channels));
+    }
+
+    /** What moves the rest where nobody says so: a platform, a floor or a seat along z, gravity removed or in it. */
+    public static Optional<Channel> usualInput(Collection<Channel> channels) {
+        return Stream.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE)
+                .flatMap(quantity -> BASES.stream().map(base -> new Channel(base, quantity, 'z'))).filter(channels::contains).findFirst();
     }
 
     /** The outputs among the channels of a recording, in its order. */

@@ -8,6 +8,7 @@ import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -86,6 +87,11 @@ public final class MapDraft {
     /** What the file does not say, in the order of its columns. */
     public List<String> questions() {
         return List.copyOf(questions);
+    }
+
+    /** What the columns are taken for, in their order. */
+    public Set<Channel> drafted() {
+        return Collections.unmodifiableSet(channels.keySet());
     }
 
     /** The command that suits what the columns are, with what it needs beside recording and map. */
@@ -242,7 +248,11 @@ public final class MapDraft {
         double length = Math.sqrt(rest);
         if (stated.isPresent()) {
             double metres = Unit.of(stated.get()).orElseThrow().toSi(length);
-            boolean gravity = !linear && near(metres, Unit.STANDARD_GRAVITY);
+            boolean gravity = !linear && metres > Unit.STANDARD_GRAVITY / 2;
+            if (gravity && !near(metres, Unit.STANDARD_GRAVITY)) {
+                questions.add("Is gravity in " + names(columns) + "? Their mean is " + brief(length) + " " + stated.get()
+                        + " long, nearer to a g than to none, which says so; then look after their scale.");
+            }
             return gravity ? new Scale(Quantity.SPECIFIC_FORCE, stated.get(), 1, ", gravity in it") : new Scale(named, stated.get(), 1, "");
         }
         for (String unit : List.of("m/s2", "g", "mg")) {

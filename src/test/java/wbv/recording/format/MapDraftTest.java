@@ -113,6 +113,16 @@ class MapDraftTest {
         assertTrue(MapDraft.of(moved).json("").contains("seat.acc.z"));
     }
 
+    /** One that reads an eighth less than a g at rest has it in it all the same; that its scale is off is for its user to know. */
+    @Test
+    void aScaleThatIsOffTakesNoGravityAway() throws IOException {
+        Path off = Samples.file(room, "off.csv", "t_s,ax_m_s2,ay_m_s2,az_m_s2\n0,-1.2,0.4,8.5\n0.01,-1.1,0.4,8.4\n0.02,-1.2,0.5,8.5\n"
+                + "0.03,-1.2,0.4,8.5\n0.04,-1.2,0.4,8.4\n");
+        MapDraft draft = MapDraft.of(off);
+        assertTrue(draft.json("").contains("seat.accg.z"));
+        assertTrue(draft.questions().stream().anyMatch(question -> question.startsWith("Is gravity in 'ax_m_s2'")), "" + draft.questions());
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"one line of words|holds no table", "1,2,3\\n4,5,6\\n7,8,9\\n1,2,3|names of its 3 columns",
         "p;q\\n1;2\\n3;4\\n5;6\\n7;8|no column's name says"})
