@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -169,9 +170,25 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param turns whether it is an angle [rad], and what acts on it a moment [N m]
      * @param at    where the centre of mass is, in a plane, of which this is a motion: its name ends in {@code .x}, {@code .z} or
      *              {@code .pitch}
+     * @param within by what part the mass may be another, with 95 % [1], at most 1; empty where nobody says how well it is known
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-            List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
+            List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at,
+            OptionalDouble within) {
+        /** No scale weighs better [1]. */
+        private static final double LEAST_WITHIN = 1e-6;
+
+        /**
+         * A body of which nobody says how well its mass is known.
+         *
+         * @param mass [kg], &gt; 0, or the moment of inertia [kg m²] of what turns
+         */
+        public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
+                List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns,
+                Optional<Point> at) {
+            this(name, mass, sensor, faults, hidden, forces, fixed, carried, massOf, turns, at, OptionalDouble.empty());
+        }
+
         /**
          * A body along the base's first axis, with a mass of its own.
          *
@@ -206,10 +223,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             forces = List.copyOf(forces);
             carried = Collections.unmodifiableMap(new LinkedHashMap<>(carried));
             carried.forEach((axis, part) -> Check.finite(name + " carried by " + axis, "1", part));
+            within.ifPresent(part -> Check.within("part within which the mass of " + name + " is known", "1", part, LEAST_WITHIN, 1));
         }
 
         private Body unseen() {
-            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns, at);
+            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns, at, within);
         }
 
         /**
@@ -218,7 +236,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
          * @param kilograms its mass [kg], or moment of inertia [kg m²]
          */
         public Body completed(double kilograms, List<SensorFault> found, Optional<HiddenMode> rider, List<Drive> acting) {
-            return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns, at);
+            return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns, at, within);
         }
     }
 

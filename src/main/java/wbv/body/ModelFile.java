@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -88,7 +89,8 @@ public final class ModelFile {
         base.allow(Set.of("name", "sensor", "mass_kg", "further", "at_m"));
         List<Model.Body> bodies = new ArrayList<>();
         for (JsonPlace body : at.list("bodies")) {
-            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden", "forces",
+            body.allow(Set.of("name", "mass_kg", "mass_within", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden",
+                    "forces",
                     "fixed"));
             List<SensorFault> faults = faults(body);
             List<Drive> forces = new ArrayList<>();
@@ -103,7 +105,7 @@ public final class ModelFile {
             Map<Channel, Double> carried = new LinkedHashMap<>();
             body.factors("carried").forEach((axis, part) -> carried.put(body.guard(() -> Channel.parse(axis)), part));
             bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed,
-                    carried, massOf, turns, body.point("at_m"))));
+                    carried, massOf, turns, body.point("at_m"), within(body))));
         }
         List<Model.Link> links = new ArrayList<>();
         for (JsonPlace link : at.list("links")) {
@@ -183,6 +185,11 @@ public final class ModelFile {
 
     static List<SensorFault> faults(JsonPlace at) {
         return at.optionalList("faults").stream().map(fault -> record(fault, "fault", SensorFault.class)).toList();
+    }
+
+    /** How well a mass is known, if its user says so. */
+    static OptionalDouble within(JsonPlace body) {
+        return body.has("mass_within") ? OptionalDouble.of(body.number("mass_within")) : OptionalDouble.empty();
     }
 
     private static double massOf(String other, List<Model.Body> bodies, JsonPlace body) {
@@ -290,6 +297,7 @@ public final class ModelFile {
                 node.put("mass_of", body.massOf().get());
             } else {
                 node.put(body.turns() ? "inertia_kgm2" : "mass_kg", body.mass());
+                body.within().ifPresent(part -> node.put("mass_within", part));
             }
             Map<String, Double> carried = new LinkedHashMap<>();
             body.carried().forEach((axis, part) -> carried.put(axis.toString(), part));

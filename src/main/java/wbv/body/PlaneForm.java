@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import wbv.recording.Channel;
@@ -65,7 +66,7 @@ final class PlaneForm {
     }
 
     private void body(JsonPlace body) {
-        body.allow(Set.of("name", "at_m", "mass_kg", "inertia_kgm2", "sensors"));
+        body.allow(Set.of("name", "at_m", "mass_kg", "mass_within", "inertia_kgm2", "sensors"));
         String name = body.text("name");
         Model.Point centre = point(body, "at_m");
         centres.put(name, centre);
@@ -93,7 +94,8 @@ final class PlaneForm {
             double mass = body.mass(angle ? "inertia_kgm2" : "mass_kg");
             Map<Channel, Double> carried = carried(motion, from(centre, origin));
             bodies.add(body.guard(() -> new Model.Body(name(name, motion), mass, Optional.ofNullable(own.get(motion)), List.of(),
-                    Optional.empty(), List.of(), false, carried, massOf, angle, Optional.of(centre))));
+                    Optional.empty(), List.of(), false, carried, massOf, angle, Optional.of(centre),
+                    motion == Plane.Motion.X ? ModelFile.within(body) : OptionalDouble.empty())));
             motions.add(name(name, motion));
         }
         if (!turns && (own.containsKey(Plane.Motion.PITCH) || !beside.isEmpty())) {

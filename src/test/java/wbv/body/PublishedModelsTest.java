@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.apache.commons.math3.complex.Complex;
@@ -102,6 +103,20 @@ class PublishedModelsTest {
         assertTrue(model.outputs().stream().anyMatch(channel -> channel.toString().equals("head.acc.z")),
                 model.outputs().toString());
         assertEquals(model, ModelFile.parse(ModelFile.text(model), name));
+    }
+
+    /** What a user says of how well a mass is known stays in what is written, of a chain and of a plane's one mass for both ways. */
+    @Test
+    void howWellAMassIsKnownIsKept() {
+        String weighed = "{\"name\": \"bench\", \"subject\": \"rig\", \"axis\": \"z\", "
+                + "\"base\": {\"name\": \"table\", \"sensor\": \"table.acc.z\"}, "
+                + "\"bodies\": [{\"name\": \"seat\", \"mass_kg\": 37, \"mass_within\": %s, \"sensor\": \"seat.acc.z\"}], "
+                + "\"links\": [{\"from\": \"table\", \"to\": \"seat\", \"stiffness_N_per_m\": 6e4, \"damping_Ns_per_m\": 400}]}";
+        Model model = ModelFile.parse(String.format(weighed, "0.01"), "bench.json");
+        assertEquals(OptionalDouble.of(0.01), model.bodies().get(0).within());
+        assertEquals(model, ModelFile.parse(ModelFile.text(model), "again.json"));
+        assertTrue(assertThrows(DataFault.class, () -> ModelFile.parse(String.format(weighed, "37"), "bench.json")).getMessage()
+                .contains("part within which the mass of seat is known"));
     }
 
     @Test

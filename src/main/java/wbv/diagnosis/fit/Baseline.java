@@ -154,8 +154,8 @@ public final class Baseline {
     /** The mass of a body, unless it is another's too. */
     private static void addMass(List<Knob> knobs, Model model, int body, double farthest, double deviation) {
         Model.Body own = model.bodies().get(body);
-        model.massKey(own)
-                .ifPresent(key -> add(knobs, own.name() + " " + key, Slot.of(Slot.Kind.MASS, body), own.mass(), farthest, deviation));
+        double known = Math.min(own.within().orElse(Double.POSITIVE_INFINITY) / 2, deviation);
+        model.massKey(own).ifPresent(key -> add(knobs, own.name() + " " + key, Slot.of(Slot.Kind.MASS, body), own.mass(), farthest, known));
     }
 
     private static void add(List<Knob> knobs, String name, Slot slot, double value, double farthest, double deviation) {

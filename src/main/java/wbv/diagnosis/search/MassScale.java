@@ -3,9 +3,11 @@ package wbv.diagnosis.search;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.LawAt;
+import wbv.body.Model;
 import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.number.Modulator;
@@ -19,10 +21,10 @@ import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
 
 /**
- * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it;
- * what shows it is that the user knows each mass to about a tenth. A fit holds the heaviest mass as given; here the factor is
- * estimated from all of them, each weighed by how well the fit knows its ratio, so that one mass that was given wrongly does not
- * set the scale of every force.
+ * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it; what shows
+ * it is that the user knows each mass, to about a tenth where nothing else is said. A fit holds the heaviest mass as given; here the factor
+ * is estimated from all of them, each weighed by how well the fit knows its ratio, so that one mass that was given wrongly does not set the
+ * scale of every force.
  *
  * @param factor    on what a fit with the heaviest mass held gives
  * @param deviation its relative standard deviation; 0 where forces were measured
@@ -49,25 +51,25 @@ public record MassScale(double factor, double deviation) {
         double[][] curvature = new Normal(state).curvature();
         int n = state.x().length;
         int bodies = evidence.model().bodies().size();
-        long known = evidence.model().bodies().stream().filter(body -> body.massOf().isEmpty()).count();
-        double precision = 1 / (Priors.MASS * Priors.MASS);
         double[][] a = new double[n + 1][];
         double[] b = new double[n + 1];
+        double[] precision = evidence.model().bodies().stream().mapToDouble(MassScale::precision).toArray();
         for (int i = 0; i < n; i++) {
             a[i] = Arrays.copyOf(curvature[i], n + 1);
         }
         a[n] = new double[n + 1];
-        a[n][n] = known * precision;
+        a[n][n] = Arrays.stream(precision).sum();
         List<Integer> masses = new ArrayList<>();
         for (int i = 0; i < n; i++) {
             Knob knob = state.candidate().knobs().get(i);
             if (knob.slot().kind() == Slot.Kind.MASS && knob.slot().at() < bodies) {
+                double own = precision[knob.slot().at()];
                 double before = 1 / (knob.deviation() * knob.deviation());
-                a[i][i] += precision - before;
-                a[i][n] = precision;
-                a[n][i] = precision;
-                b[i] = (before - precision) * state.x()[i];
-                b[n] -= precision * state.x()[i];
+                a[i][i] += own - before;
+                a[i][n] = own;
+                a[n][i] = own;
+                b[i] = (before - own) * state.x()[i];
+                b[n] -= own * state.x()[i];
                 masses.add(i);
             }
         }
@@ -77,12 +79,18 @@ public record MassScale(double factor, double deviation) {
         unit[n] = 1;
         double variance = DampedEquations.solve(a, unit, held, 0)[n];
         // Masses that contradict each other more than their user should tell that they are less well known (Birge 1932).
-        double scatter = best[n] * best[n];
-        for (int i : masses) {
-            scatter += Math.pow(state.x()[i] + best[i] + best[n], 2);
-        }
-        double ratio = masses.isEmpty() ? 1 : Math.max(1, scatter * precision / masses.size());
+        double[] off = new double[bodies];
+        Arrays.fill(off, best[n]);
+        masses.forEach(i -> off[state.candidate().knobs().get(i).slot().at()] += state.x()[i] + best[i]);
+        double scatter = IntStream.range(0, bodies).mapToDouble(body -> precision[body] * off[body] * off[body]).sum();
+        double ratio = masses.isEmpty() ? 1 : Math.max(1, scatter / masses.size());
         return new MassScale(Math.exp(best[n]), Math.sqrt(variance * ratio));
+    }
+
+    /** Of the logarithm of a mass that the model gives [1]; 0 where it plays no part or is another's too. */
+    private static double precision(Model.Body body) {
+        double deviation = body.within().orElse(2 * Priors.MASS) / 2;
+        return body.fixed() || body.massOf().isPresent() ? 0 : 1 / (deviation * deviation);
     }
 
     /** Whether a number, by its key, has the unit of a force or a mass in it. */

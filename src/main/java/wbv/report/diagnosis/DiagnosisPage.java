@@ -229,8 +229,7 @@ final class DiagnosisPage {
         }
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
-                + (onlyRatios ? " Accelerations know masses, "
-                        + "stiffness and damping only up to a common factor: of a person all given masses set it, of a bench the heaviest."
+                + (onlyRatios ? " Accelerations know masses, stiffness and damping only up to a common factor, which all given masses set."
                         : ""),
                 blocks);
     }

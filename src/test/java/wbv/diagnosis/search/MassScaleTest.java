@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.law.LearnedTerm;
@@ -64,6 +66,25 @@ class MassScaleTest {
             assertEquals(-off / 2, Math.log(scale.factor()), 0.01, "" + subject);
             assertEquals(Priors.MASS / Math.sqrt(2), scale.deviation(), 0.005, "" + subject);
         }
+    }
+
+    /** A torso that was weighed to a thousandth bears none of it, and sets the scale. */
+    @Test
+    void aMassThatWasWeighedSetsTheScale() {
+        Model truth = LawLearnerTest.model(List.of());
+        Evidence own = new Evidence(weighedTorso(lighterHead(truth, Math.log(1.12)), 1e-3), LawLearnerTest.recording(truth));
+        Fitter.State base = new Search(own, (step, share) -> {}).base(Baseline.of(own));
+        MassScale scale = MassScale.of(own, new Fitter(own).lookWithSlopes(base.candidate(), base.x(), base.frame()));
+        assertEquals(1, scale.factor(), 1e-4);
+        assertEquals(5e-4, scale.deviation(), 1.5e-4);
+    }
+
+    private static Model weighedTorso(Model model, double within) {
+        Model.Body torso = model.bodies().get(0);
+        return new Model(model.name(), Optional.empty(), model.axis(), model.base(),
+                List.of(new Model.Body(torso.name(), torso.mass(), torso.sensor(), List.of(), Optional.empty(), List.of(), false, Map.of(),
+                        Optional.empty(), false, Optional.empty(), OptionalDouble.of(within)), model.bodies().get(1)),
+                model.links());
     }
 
     /** The head given lighter than it is, by so much in its logarithm. */
