@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import org.apache.commons.math3.distribution.TDistribution;
+
 /**
  * Where a number lies with 95 %.
  *
@@ -34,6 +36,11 @@ public record Interval(double low, double high, Source from) {
 
     /** Quantile of the standard normal distribution that 95 % lie within. */
     static final double Z = 1.959964;
+
+    /** The same of what is told from so many independent parts of a recording (Student). */
+    static double quantile(int parts) {
+        return new TDistribution(parts - 1).inverseCumulativeProbability(0.975);
+    }
 
     /** Whether the recording bounds the number on both sides. */
     public boolean isClosed() {

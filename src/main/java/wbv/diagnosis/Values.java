@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.algebra.DampedEquations;
@@ -102,7 +101,7 @@ final class Values {
         double[] solved = DampedEquations.solve(curvature, b, held, 0);
         double white = ScalarProduct.of(b, solved);
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
-        double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
+        double quantile = Interval.quantile(scores.count());
         Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
         List<Profile.End> ends = Parallel.map(List.of(-1, 1), moment ? profile::parabola : profile::end);
         double u = plain.u(state.x());

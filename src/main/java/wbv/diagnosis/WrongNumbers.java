@@ -3,18 +3,15 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.NormalDistribution;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Slot;
-import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.search.MassScale;
 
 /**
@@ -24,6 +21,7 @@ import wbv.diagnosis.search.MassScale;
 final class WrongNumbers {
 
     private static final int MOST = 3;
+    private static final double SURE = 0.95;
 
     private final Evidence evidence;
     private final Fitter.State base;
@@ -47,14 +45,13 @@ final class WrongNumbers {
         if (evidence.standsForSimulation()) {
             return "";
         }
-        Fitter.State sloped = new Fitter(evidence).lookWithSlopes(base.candidate(), base.x(), base.frame());
-        double[][] curvature = sloped.failed() ? new double[0][] : new Normal(sloped).curvature();
-        if (curvature.length == 0 || !Arrays.stream(curvature).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite)) {
-            return "";
-        }
+        return NumberIntervals.of(evidence, base).map(this::surelyWrong).orElse("");
+    }
+
+    private String surelyWrong(NumberIntervals intervals) {
         // Where the scale of all masses is open, numbers may all be right and still not fit each other.
         for (MassScale held : List.of(scale, MassScale.NONE)) {
-            List<Off> surest = surest(curvature, held);
+            List<Off> surest = surest(intervals, held);
             if (!surest.isEmpty()) {
                 return " Surely wrong" + (held.deviation() == 0 ? asGiven() : "") + ": "
                         + surest.stream().map(this::told).collect(Collectors.joining("; ")) + ".";
@@ -63,8 +60,11 @@ final class WrongNumbers {
         return "";
     }
 
-    private List<Off> surest(double[][] curvature, MassScale held) {
-        return IntStream.range(0, base.candidate().given()).boxed().flatMap(i -> off(i, curvature, held).stream())
+    private List<Off> surest(NumberIntervals intervals, MassScale held) {
+        int[] numbers = IntStream.range(0, base.candidate().given()).filter(this::isGiven).toArray();
+        // With one chance in twenty that any of so many right ones is among them (Bonferroni).
+        double sure = new NormalDistribution().inverseCumulativeProbability(1 - (1 - SURE) / 2 / Math.max(1, numbers.length));
+        return Arrays.stream(numbers).boxed().map(i -> off(i, intervals, held)).filter(off -> off.sureness() > sure)
                 .sorted(Comparator.comparingDouble(Off::sureness).reversed()).limit(MOST).toList();
     }
 
@@ -81,19 +81,14 @@ final class WrongNumbers {
                 .noneMatch(knob -> knob.slot().kind() == Slot.Kind.MASS && knob.slot().at() == body);
     }
 
-    private Optional<Off> off(int i, double[][] curvature, MassScale held) {
+    private boolean isGiven(int i) {
         Knob knob = base.candidate().knobs().get(i);
-        if (knob.unit() != 0 || !(knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS)) {
-            return Optional.empty();
-        }
-        double[] unit = new double[curvature.length];
-        unit[i] = 1;
-        double variance = Math.max(0, DampedEquations.solve(curvature, unit, base.held(), 0)[i]);
-        double deviation = Math.hypot(Math.hypot(Math.sqrt(variance), held.deviation()), SmallError.Kind.GAIN.deviation());
-        double shift = base.x()[i] + Math.log(held.factor());
-        double sureness = Math.abs(shift) / deviation;
-        return base.held()[i] || !(sureness > Interval.Z) ? Optional.empty()
-                : Optional.of(new Off(knob, held.factor() * knob.value(base.x()[i]), sureness));
+        return knob.unit() == 0 && (knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS);
+    }
+
+    private Off off(int i, NumberIntervals intervals, MassScale held) {
+        Knob knob = base.candidate().knobs().get(i);
+        return new Off(knob, held.factor() * knob.value(base.x()[i]), intervals.sureness(i, held));
     }
 
     private String told(Off off) {

@@ -44,7 +44,7 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
     /**
      * @param low null where the recording sets no end
      * @param high likewise
-     * @param from {@code curvature} or {@code profile}
+     * @param from {@code curvature} or {@code profile}; {@code held} of a number that was not fitted
      */
     record Range(double low, double high, String from) {
         static Range of(Interval interval) {
@@ -97,7 +97,13 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
 
     record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) {}
 
-    record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) {}
+    /** @param interval that holds the last with 95 %; both ends null where the fit holds it */
+    record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last, Range interval) {
+        static Value of(Pictures.Value v) {
+            return new Value(v.where(), v.key(), v.given(), v.before(), v.after(),
+                    v.within().map(Range::of).orElse(new Range(Double.NaN, Double.NaN, "held")));
+        }
+    }
 
     /**
      * A diagnosis in this format.
@@ -121,7 +127,7 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
                                 law.rivals().stream()
                                         .map(rival -> new Rival(rival.formula(), rival.probability(), rival.reduced())).toList()))
                         .toList(),
-                pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
+                pictures.values().stream().map(Value::of).toList(),
                 provenance);
     }
 

@@ -64,9 +64,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     }
 
     private void addSensor(Evidence evidence, int o, double[] slope) {
-        // A gain that all sensors have in common is the same as all numbers of a model that forces alone drive, or of a link whose force is
-        // measured: there the first is what others are measured by.
-        if (o > 0 || evidence.model().base().sensor().isPresent() && !evidence.model().driven()) {
+        if (o > 0 || !evidence.measuresForces()) {   // else the first is what others are measured by
             add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
         }
         // What is late reads less while it grows.

@@ -73,6 +73,11 @@ public final class Evidence {
         return measured.model();
     }
 
+    /** Whether forces alone drive the model, or one in a link is measured: no data tell a gain of all sensors from all its numbers then. */
+    public boolean measuresForces() {
+        return model().base().sensor().isEmpty() || model().driven();
+    }
+
     /** Whether the model is of a test rig, see {@link Model#subject}: then constants count, and no person's own force acts. */
     public boolean onRig() {
         return measured.onRig();

@@ -2,10 +2,13 @@ package wbv.diagnosis.picture;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.apache.commons.math3.special.Gamma;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Interval;
+import wbv.diagnosis.NumberIntervals;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
@@ -98,8 +101,9 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param given  by the user, in the unit of its key
      * @param before likewise, fitted without what is missing
      * @param after  likewise, in the final model
+     * @param within where that lies with 95 %; empty where the fit holds it
      */
-    public record Value(String where, String key, double given, double before, double after) {}
+    public record Value(String where, String key, double given, double before, double after, Optional<Interval> within) {}
 
     public Pictures {
         views = List.copyOf(views);
@@ -132,9 +136,12 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
 
     private static List<Value> values(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen) {
         List<Value> out = new ArrayList<>();
+        Optional<NumberIntervals> intervals = NumberIntervals.of(evidence, chosen);
         for (int i = 0; i < base.x().length; i++) {
             Knob knob = base.candidate().knobs().get(i);
-            out.add(new Value(knob.place(), knob.key(), value(given, i), value(base, i), value(chosen, i)));
+            int number = i;
+            out.add(new Value(knob.place(), knob.key(), value(given, i), value(base, i), value(chosen, i),
+                    intervals.flatMap(found -> found.of(number))));
         }
         // The mass that the fits hold has the scale of all.
         for (int b = 0; b < evidence.model().bodies().size(); b++) {
@@ -142,7 +149,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
             int body = b;
             evidence.model().massKey(evidence.model().bodies().get(b))
                     .filter(key -> out.stream().noneMatch(v -> v.where().equals(where) && v.key().equals(key)))
-                    .ifPresent(key -> out.add(new Value(where, key, mass(given, body), mass(base, body), mass(chosen, body))));
+                    .ifPresent(key -> out.add(new Value(where, key, mass(given, body), mass(base, body), mass(chosen, body),
+                            intervals.flatMap(found -> found.ofHeld(mass(chosen, body))))));
         }
         return out;
     }

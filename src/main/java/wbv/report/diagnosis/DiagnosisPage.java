@@ -212,6 +212,7 @@ final class DiagnosisPage {
             if (pictures.completed()) {
                 row.add(Digits.significant(amount.factor() * value.after(), 4));
             }
+            row.add(value.within().map(interval -> range(interval, amount)).orElse(""));
             double change = 100 * (value.after() / value.given() - 1);
             row.add(value.given() == 0 ? "" : (change > 0 ? "+" : "") + Digits.significant(change, 2) + " %");
             rows.add(row);
@@ -221,6 +222,7 @@ final class DiagnosisPage {
         if (pictures.completed()) {
             columns.add(Table.Column.numbers("Completed"));
         }
+        columns.add(Table.Column.numbers("95 %"));
         columns.add(Table.Column.numbers("Change"));
         boolean onlyRatios = pictures.views().stream().allMatch(view -> view.unit().equals("m/s²"));
         List<Block> blocks = new ArrayList<>(List.of(new Table("", columns, rows)));
@@ -229,6 +231,8 @@ final class DiagnosisPage {
         }
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
+                + " The last lie in their interval with 95 %; what the recording tells only together, such as two offsets, "
+                + "has a wide one each."
                 + (onlyRatios ? " Accelerations know masses, stiffness and damping only up to a common factor, which all given masses set."
                         : ""),
                 blocks);

@@ -81,7 +81,8 @@ class DiagnosisReportTest {
                         new Portrait.Trail("law", Portrait.Kind.LAW, x, x, none)), name),
                         new Portrait("Gain", hertz, deflection, List.of(new Portrait.Trail("as measured",
                                 Portrait.Kind.MEASURED, rising, x, rising)), "")),
-                List.of(new Pictures.Value(name, "stiffness_N_per_m", 45e3, 50e3, 47e3)));
+                List.of(new Pictures.Value(name, "stiffness_N_per_m", 45e3, 50e3, 47e3,
+                        Optional.of(new Interval(0.9, 1.1, Interval.Source.CURVATURE)))));
     }
 
     private static Path write(Path folder, String name, Diagnosis.Verdict verdict) throws IOException {
