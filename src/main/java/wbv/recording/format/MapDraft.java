@@ -248,10 +248,10 @@ public final class MapDraft {
         double length = Math.sqrt(rest);
         if (stated.isPresent()) {
             double metres = Unit.of(stated.get()).orElseThrow().toSi(length);
-            boolean gravity = !linear && metres > Unit.STANDARD_GRAVITY / 2;
+            boolean gravity = !linear && metres > Unit.STANDARD_GRAVITY / 2 && metres < 2 * Unit.STANDARD_GRAVITY;
             if (gravity && !near(metres, Unit.STANDARD_GRAVITY)) {
                 questions.add("Is gravity in " + names(columns) + "? Their mean is " + brief(length) + " " + stated.get()
-                        + " long, nearer to a g than to none, which says so; then look after their scale.");
+                        + " long, nearer to one g than to none or two, which says so; then look after their scale.");
             }
             return gravity ? new Scale(Quantity.SPECIFIC_FORCE, stated.get(), 1, ", gravity in it") : new Scale(named, stated.get(), 1, "");
         }
