@@ -130,22 +130,22 @@ final class Agreement {
     Optional<Held> held(List<Convention> all) {
         return given.filter(before -> asks(all.size())).flatMap(before -> {
             double sure = sure(all.size());
-            List<Case> cases = all.stream().map(one -> read(before.of(), one, before.fit().x())).toList();
-            List<Weighed> alone = likeliest(cases);
+            Case read = asRead.from(before.fit().x());
+            List<Weighed> alone = likeliest(Stream.of(read), all);
             return held(before, alone, before.cost() - sure).or(() -> before.cost() - fit(asRead).least() > 2 * sure
-                    ? held(before, likeliest(pairs(firsts(before, alone, cases), all)),
+                    ? held(before, likeliest(firsts(before, alone, all.stream().map(one -> read(read, one))), all),
                             alone.stream().mapToDouble(one -> one.cost() + sure).min().stream().reduce(before.cost(), Math::min) - 2 * sure)
                     : Optional.empty());
         });
     }
 
     /** Those beside which another may be amiss: that explain much alone, or that move every output where none is explained at all. */
-    private Stream<Case> firsts(Weighed before, List<Weighed> alone, List<Case> cases) {
+    private Stream<Case> firsts(Weighed before, List<Weighed> alone, Stream<Case> all) {
         boolean nothing = unexplained(0).size() == model.outputs().size();
         return Stream.concat(
                 alone.stream().filter(one -> before.cost() - one.cost() > -Math.log(Priors.ODDS)).limit(FIRSTS)
                         .map(one -> one.of().from(one.fit().x())),
-                cases.stream().filter(each -> nothing && movesAll(each.convention().orElseThrow())));
+                all.filter(each -> nothing && movesAll(each.convention().orElseThrow())));
     }
 
     /** @param most what it may cost [nat] */
@@ -159,33 +159,42 @@ final class Agreement {
                                 .map(Weighed::convention).toList()));
     }
 
-    /** The likeliest of some after a look at all, fitted, best first. */
-    private List<Weighed> likeliest(List<Case> cases) {
-        double[] costs = new double[cases.size()];
-        Parallel.each(costs.length, i -> costs[i] = fit(cases.get(i)).glimpse(starts(cases.get(i))) + size(cases.get(i)));
-        List<Case> likeliest = IntStream.range(0, costs.length).boxed().sorted(Comparator.comparingDouble(i -> costs[i])).limit(FITTED)
-                .map(cases::get).toList();
-        return Parallel.map(likeliest, this::weighed).stream().flatMap(Optional::stream).sorted(Comparator.comparingDouble(Weighed::cost))
-                .toList();
-    }
+    /** A look at a convention on top of a case. @param cost if the model were linear about where it begins [nat] */
+    private record Glimpse(Case of, Convention next, double cost) {}
 
-    /** Each of some with every other that has to do with something else, once. */
-    private List<Case> pairs(Stream<Case> firsts, List<Convention> all) {
-        List<Case> pairs = new ArrayList<>();
+    /**
+     * The likeliest conventions on top of some cases after a look at all, fitted, best first. Each two are looked at once.
+     *
+     * @param firsts one is held at a time, with its runs
+     */
+    private List<Weighed> likeliest(Stream<Case> firsts, List<Convention> all) {
+        List<Glimpse> best = new ArrayList<>();
         Set<Convention> asked = new HashSet<>();
-        firsts.filter(first -> asked.add(first.convention().orElseThrow())).forEach(first -> all.stream()
-                .filter(second -> !asked.contains(second) && first.convention().orElseThrow().goesWith(second))
-                .forEach(second -> pairs.add(read(first, second, first.begun().get(0)))));
-        return pairs;
+        for (Case first : (Iterable<Case>) firsts::iterator) {
+            if (first.convention().isEmpty() || asked.add(first.convention().get())) {
+                best.addAll(glimpses(first, all.stream().filter(next -> !asked.contains(next)
+                        && first.convention().map(one -> one.goesWith(next)).orElse(true)).toList()));
+                best.sort(Comparator.comparingDouble(Glimpse::cost));
+                best.subList(Math.min(FITTED, best.size()), best.size()).clear();
+            }
+        }
+        return Parallel.map(best, glimpse -> weighed(read(glimpse.of(), glimpse.next()))).stream().flatMap(Optional::stream)
+                .sorted(Comparator.comparingDouble(Weighed::cost)).toList();
     }
 
-    /** @param x where numbers were led. Not copied */
-    private Case read(Case of, Convention convention, double[] x) {
+    private List<Glimpse> glimpses(Case first, List<Convention> seconds) {
+        return Parallel.map(seconds, next -> {
+            Case both = read(first, next);
+            return new Glimpse(first, next, fit(both).glimpse(starts(both)) + size(both));
+        });
+    }
+
+    private Case read(Case of, Convention convention) {
         Recording read = convention.read(of.part());
         Model meant = convention.read(of.model());
         boolean runsAnew = !meant.equals(of.model()) || model.excitations().stream().anyMatch(convention.touched()::contains);
         Convention whole = of.convention().<Convention>map(first -> new Convention.Both(first, convention)).orElse(convention);
-        return new Case(Optional.of(whole), meant, read, runsAnew ? runs(meant, read) : of.runs(), spectra(read), List.of(x));
+        return new Case(Optional.of(whole), meant, read, runsAnew ? runs(meant, read) : of.runs(), spectra(read), of.begun());
     }
 
     private Optional<Weighed> weighed(Case of) {
