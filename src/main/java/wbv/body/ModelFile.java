@@ -90,8 +90,7 @@ public final class ModelFile {
         List<Model.Body> bodies = new ArrayList<>();
         for (JsonPlace body : at.list("bodies")) {
             body.allow(Set.of("name", "mass_kg", "mass_within", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden",
-                    "forces",
-                    "fixed"));
+                    "forces", "fixed"));
             List<SensorFault> faults = faults(body);
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));

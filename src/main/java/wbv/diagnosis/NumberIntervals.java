@@ -49,13 +49,13 @@ public final class NumberIntervals {
                 : Optional.empty();
     }
 
-    /** Where a number lies, in the unit of its key; empty where the fit holds it. */
+    /** Where a number lies, in the unit of its key; empty where the fit holds it, or cannot tell. */
     public Optional<Interval> of(int i) {
         Knob knob = state.candidate().knobs().get(i);
-        if (state.held()[i]) {
+        double half = Interval.quantile(scores.count()) * deviation(i);
+        if (state.held()[i] || Double.isNaN(half)) {
             return Optional.empty();
         }
-        double half = Interval.quantile(scores.count()) * deviation(i);
         double x = state.x()[i];
         if (knob.unit() == 0) {
             double share = Math.hypot(half, Interval.Z * open(knob, scale));
