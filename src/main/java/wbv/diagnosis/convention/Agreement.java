@@ -159,7 +159,11 @@ final class Agreement {
                                 .map(Weighed::convention).toList()));
     }
 
-    /** A look at a convention on top of a case. @param cost if the model were linear about where it begins [nat] */
+    /**
+     * A look at a convention on top of a case.
+     *
+     * @param cost if the model were linear about where it begins [nat]
+     */
     private record Glimpse(Case of, Convention next, double cost) {}
 
     /**
