@@ -45,6 +45,16 @@ final class BlockScores {
     }
 
     /**
+     * By how much the variance of b·x is more than the curvature alone says [1]; 1 where that says nothing.
+     *
+     * @param solved C⁻¹ b with C the curvature. Not modified.
+     * @param white  b·C⁻¹ b
+     */
+    double ratio(double[] solved, double white) {
+        return white > 0 ? variance(solved) / white : 1;
+    }
+
+    /**
      * Variance of b·x.
      *
      * @param solved C⁻¹ b with C the curvature. Not modified.

@@ -86,8 +86,12 @@ public final class NumberIntervals {
 
     /** What no cost shows of a number that is found as a factor [1]: the scale of the masses, or what force and motion are measured by. */
     private double open(Knob knob, MassScale masses) {
-        boolean scales = knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS;
-        return scales ? Math.hypot(masses.deviation(), gains) : 0;
+        return isOfModel(knob) ? Math.hypot(masses.deviation(), gains) : 0;
+    }
+
+    /** Whether it is a stiffness, a damping or a mass that the model gives, found as a factor of that. */
+    static boolean isOfModel(Knob knob) {
+        return knob.unit() == 0 && (knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS);
     }
 
     /** Standard deviation of a coordinate of the fit [1]. */
@@ -96,7 +100,6 @@ public final class NumberIntervals {
         unit[i] = 1;
         double[] solved = DampedEquations.solve(curvature, unit, state.held(), 0);
         double white = ScalarProduct.of(unit, solved);
-        double ratio = white > 0 ? Math.max(Math.max(1, state.reduced()), scores.variance(solved) / white) : 1;
-        return Math.sqrt(Math.max(0, white) * ratio);
+        return Math.sqrt(Math.max(0, white) * Math.max(Math.max(1, state.reduced()), scores.ratio(solved, white)));
     }
 }

@@ -100,7 +100,7 @@ final class Values {
         }
         double[] solved = DampedEquations.solve(curvature, b, held, 0);
         double white = ScalarProduct.of(b, solved);
-        double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
+        double ratio = Math.max(Math.max(1, state.reduced()), moment ? 1 : scores.ratio(solved, white));
         double quantile = Interval.quantile(scores.count());
         Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
         List<Profile.End> ends = Parallel.map(List.of(-1, 1), moment ? profile::parabola : profile::end);

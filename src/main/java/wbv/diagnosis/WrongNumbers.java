@@ -61,7 +61,8 @@ final class WrongNumbers {
     }
 
     private List<Off> surest(NumberIntervals intervals, MassScale held) {
-        int[] numbers = IntStream.range(0, base.candidate().given()).filter(this::isGiven).toArray();
+        int[] numbers = IntStream.range(0, base.candidate().given())
+                .filter(i -> NumberIntervals.isOfModel(base.candidate().knobs().get(i))).toArray();
         // With one chance in twenty that any of so many right ones is among them (Bonferroni).
         double sure = new NormalDistribution().inverseCumulativeProbability(1 - (1 - SURE) / 2 / Math.max(1, numbers.length));
         return Arrays.stream(numbers).boxed().map(i -> off(i, intervals, held)).filter(off -> off.sureness() > sure)
@@ -79,11 +80,6 @@ final class WrongNumbers {
     private boolean isHeld(int body) {
         return evidence.model().massKey(evidence.model().bodies().get(body)).isPresent() && base.candidate().knobs().stream()
                 .noneMatch(knob -> knob.slot().kind() == Slot.Kind.MASS && knob.slot().at() == body);
-    }
-
-    private boolean isGiven(int i) {
-        Knob knob = base.candidate().knobs().get(i);
-        return knob.unit() == 0 && (knob.isOfLink() || knob.slot().kind() == Slot.Kind.MASS);
     }
 
     private Off off(int i, NumberIntervals intervals, MassScale held) {

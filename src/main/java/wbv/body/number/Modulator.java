@@ -69,6 +69,25 @@ public sealed interface Modulator {
         }
 
         /**
+         * The same as people read it, in {@link #shownUnit}.
+         *
+         * @param u place in the range [1], from -1 to 1
+         */
+        public double shown(double u) {
+            return shownTimes() * value(u);
+        }
+
+        /** From the channel's unit to the one that people read: positions are told in mm [1]. */
+        public double shownTimes() {
+            return channel.quantity() == Quantity.POSITION ? 1e3 : 1;
+        }
+
+        /** Unit that people read. */
+        public String shownUnit() {
+            return channel.quantity() == Quantity.POSITION ? "mm" : channel.quantity().unit();
+        }
+
+        /**
          * Where a value of the channel lies in the range [1]: -1 at or below its lower end, 1 at or above its upper.
          *
          * @param value in the channel's unit

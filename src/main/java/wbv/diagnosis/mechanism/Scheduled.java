@@ -16,7 +16,6 @@ import wbv.body.law.Law;
 import wbv.body.law.ScheduledFriction;
 import wbv.body.law.ScheduledLink;
 import wbv.body.number.Modulator;
-import wbv.recording.Quantity;
 
 /**
  * A link's stiffness, damping or friction that goes by a measured channel which is no input of the model: the position of a roller, a
@@ -118,10 +117,8 @@ record Scheduled(What what) implements Mechanism {
     }
 
     private static String amount(Modulator.Level by, double u) {
-        boolean position = by.channel().quantity() == Quantity.POSITION;
-        return new BigDecimal((position ? 1e3 : 1) * by.value(u)).round(new MathContext(3)).stripTrailingZeros().toPlainString()
-                .replace('-', '−') + " "
-                + (position ? "mm" : by.channel().quantity().unit()) + " of " + by.channel();
+        return new BigDecimal(by.shown(u)).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('-', '−') + " "
+                + by.shownUnit() + " of " + by.channel();
     }
 
     @Override

@@ -15,7 +15,7 @@ final class LinkHistory {
     private static final double BLOCK = 4;
     private static final int FEWEST = 10;
     /** Neighbouring samples of a band-limited signal are not independent: about two thirds of them are. */
-    private static final double INDEPENDENT = 0.67;
+    static final double INDEPENDENT = 0.67;
 
     private final LatentForce latent;
     private final String where;

@@ -13,7 +13,6 @@ import wbv.body.number.Modulator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.learn.LinkScale;
-import wbv.recording.Quantity;
 
 /**
  * What of a link goes by a measured channel, over that channel: stiffness, damping or friction by least squares of the latent force among
@@ -23,8 +22,6 @@ final class LinkSchedule {
 
     private static final int LEVELS = 12;
     private static final int CURVE = 101;
-    /** Neighbouring samples of a band-limited signal are not independent: about two thirds of them are. */
-    private static final double INDEPENDENT = 0.67;
 
     private final String where;
     private final LatentForce latent;
@@ -78,31 +75,19 @@ final class LinkSchedule {
             double square = Arrays.stream(samples).mapToDouble(i -> Math.pow(basis.applyAsDouble(i), 2)).sum();
             double found = Arrays.stream(samples).mapToDouble(i -> force[i] * basis.applyAsDouble(i)).sum() / square;
             double left = Arrays.stream(samples).mapToDouble(i -> Math.pow(force[i] - found * basis.applyAsDouble(i), 2)).sum();
-            level[b] = shown() * Arrays.stream(samples).mapToDouble(i -> series[i]).average().orElse(Double.NaN);
+            level[b] = by.shownTimes() * Arrays.stream(samples).mapToDouble(i -> series[i]).average().orElse(Double.NaN);
             value[b] = times * found;
-            deviation[b] = times * Math.sqrt(left / Math.max(1, INDEPENDENT * samples.length - 1) / square);
+            deviation[b] = times * Math.sqrt(left / Math.max(1, LinkHistory.INDEPENDENT * samples.length - 1) / square);
         }
         double[] place = IntStream.range(0, CURVE).mapToDouble(i -> 2.0 * i / (CURVE - 1) - 1).toArray();
         double[] curve = Arrays.stream(place).map(u -> {
             unit.modulation = u;
             return times * law.force(unit);
         }).toArray();
-        return new Portrait(number.label() + " in " + where + " over " + by.channel(), Portrait.Scale.of("" + by.channel(), unitShown()),
+        return new Portrait(number.label() + " in " + where + " over " + by.channel(), Portrait.Scale.of("" + by.channel(), by.shownUnit()),
                 number,
                 List.of(new Portrait.Trail("among samples of a level", Portrait.Kind.MEAN, level, value, deviation),
-                        Portrait.Trail.law("law found", Arrays.stream(place).map(u -> shown() * by.value(u)).toArray(), curve)),
+                        Portrait.Trail.law("law found", Arrays.stream(place).map(by::shown).toArray(), curve)),
                 "From what the link must carry for model and recording to agree, with nothing assumed of how it goes by the channel.");
-    }
-
-    private boolean isPosition() {
-        return by.channel().quantity() == Quantity.POSITION;
-    }
-
-    private double shown() {
-        return isPosition() ? 1e3 : 1;
-    }
-
-    private String unitShown() {
-        return isPosition() ? "mm" : by.channel().quantity().unit();
     }
 }
