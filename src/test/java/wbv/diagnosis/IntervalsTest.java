@@ -21,7 +21,7 @@ import wbv.body.law.CoulombFriction;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
 import wbv.body.law.MaxwellArm;
-import wbv.body.law.SaturatingSpring;
+import wbv.body.law.Saturation.SaturatingSpring;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.algebra.DampedEquations;

@@ -1,17 +1,20 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
+import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import wbv.body.law.GradualSaturation;
-import wbv.body.law.SaturatingSpring;
+import wbv.body.law.Saturation.GradualSaturation;
+import wbv.body.law.Saturation.PartialSaturation;
+import wbv.body.law.Saturation.SaturatingSpring;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 
-/** A spring whose force saturates, over a bend that is as wide as most or another. */
+/** A spring whose force saturates, over a bend that is as wide as most or another, or that keeps a part of its stiffness. */
 record Softening() implements Mechanism {
 
     /**
@@ -19,6 +22,12 @@ record Softening() implements Mechanism {
      */
     private static final double WIDEST = 0.3;
     private static final double NARROWEST = 20;
+    /**
+     * Share of the stiffness that is kept [1]: what buckles pushes back, and what keeps nearly all does not soften.
+     */
+    private static final double LEAST_KEPT = -0.5;
+    private static final double MOST_KEPT = 0.95;
+    private static final double SHARE = 0.1;
 
     @Override
     public Entry entry() {
@@ -34,14 +43,27 @@ record Softening() implements Mechanism {
         return List.of(law(link, factor(5e-5, 5e-2), r, 0.25, 0.6, 1.5, 4));
     }
 
+    /** Over a bend of another width, and then of a part of the stiffness. */
     @Override
     public Optional<Hypothesis> further(Hypothesis plain, double[] found) {
-        return plain.additions().get(0) instanceof Addition.InLink in && in.law() instanceof SaturatingSpring
-                ? Optional.of(new Hypothesis(this, plain.where(), "gradual",
-                        List.of(new Addition.InLink(in.link(), new GradualSaturation(found[0], 1))),
-                        List.of(plain.numbers().get(0), factor(WIDEST, NARROWEST).named("sharpness")),
-                        grid(new double[] {1, 1.5, 4}, n -> fixed(found[0], n))))
+        if (!(plain.additions().get(0) instanceof Addition.InLink in)) {
+            return Optional.empty();
+        }
+        if (in.law() instanceof SaturatingSpring) {
+            return Optional.of(form(plain, "gradual", new Addition.InLink(in.link(), new GradualSaturation(found[0], 1)),
+                    factor(WIDEST, NARROWEST).named("sharpness"), grid(new double[] {1, 1.5, 4}, n -> fixed(found[0], n))));
+        }
+        return in.law() instanceof GradualSaturation
+                ? Optional.of(form(plain, "partial", new Addition.InLink(in.link(), new PartialSaturation(found[0], found[1], 0)),
+                        sum(SHARE, LEAST_KEPT / SHARE, MOST_KEPT / SHARE).named("kept_share"),
+                        List.of(fixed(found[0], found[1], 0), fixed(found[0] / 2, found[1], 0.5))))
                 : Optional.empty();
+    }
+
+    private Hypothesis form(Hypothesis plain, String name, Addition law, Number further, List<Hypothesis.Start> starts) {
+        List<Number> numbers = new ArrayList<>(plain.numbers());
+        numbers.add(further);
+        return new Hypothesis(this, plain.where(), name, List.of(law), numbers, starts);
     }
 
     /**

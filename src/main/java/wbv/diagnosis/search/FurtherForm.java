@@ -1,5 +1,6 @@
 package wbv.diagnosis.search;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -8,7 +9,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A mechanism once it is found in its plain form, in one with more numbers: a hidden mass on a spring that stiffens, a softening that
- * sets in more slowly, friction with bristles. They have to pay for themselves.
+ * sets in more slowly or takes a part of the stiffness, friction with bristles. They have to pay for themselves.
  */
 final class FurtherForm {
 
@@ -26,8 +27,20 @@ final class FurtherForm {
         this.all = all;
     }
 
-    /** The same fit in the further form, polished; none where there is no such form, or nothing asks for it. */
+    /** The same fit in further forms that pay, one from another, polished; none where there is none, or nothing asks for it. */
     List<Fitter.State> rivals(Fitter.State fit) {
+        List<Fitter.State> out = new ArrayList<>();
+        List<Fitter.State> from = List.of(fit);
+        while (!from.isEmpty()) {
+            // A number more may do nothing by itself and much with a second.
+            from = from.stream().flatMap(this::forms).toList();
+            Fitter.State simpler = out.isEmpty() ? fit : out.get(out.size() - 1);
+            from.stream().filter(other -> pays(other, simpler)).forEach(out::add);
+        }
+        return out;
+    }
+
+    private Stream<Fitter.State> forms(Fitter.State fit) {
         double[] found = values(fit);
         Hypothesis plain = fit.candidate().last();
         return Stream
@@ -35,16 +48,16 @@ final class FurtherForm {
                         plain.form().isEmpty() ? all.stream().filter(form -> form.claim().equals(plain.claim()))
                                 .flatMap(form -> plain.kind().begunAt(form, found).stream()) : Stream.empty())
                 .flatMap(form -> refinement.polished(base.candidate(), form, numbers(fit), fit.frame(),
-                        form.starts().stream().map(Hypothesis.Start::values).toList()).stream())
-                .filter(other -> pays(other, plain, found)).toList();
+                        form.starts().stream().map(Hypothesis.Start::values).toList()).stream());
     }
 
     /**
-     * Whether the numbers more are worth their price beside the plain form, fitted on the same noise from where the further one stands, on
-     * data that were not used too.
+     * Whether the numbers more are worth their price beside the simpler form, fitted on the same noise from where the further one
+     * stands, on data that were not used too.
      */
-    private boolean pays(Fitter.State further, Hypothesis plain, double[] found) {
-        Fitter.State without = refinement.fitted(base.candidate(), plain, numbers(further), further.frame(),
+    private boolean pays(Fitter.State further, Fitter.State simpler) {
+        double[] found = values(simpler);
+        Fitter.State without = refinement.fitted(base.candidate(), simpler.candidate().last(), numbers(further), further.frame(),
                 List.of(found, Arrays.copyOf(values(further), found.length)));
         double price = (values(further).length - found.length) * Calibration.standard().price();
         return without.failed() || new Chosen(further, price).outweighs(refinement.heldOut(further), Chosen.single(without),

@@ -32,7 +32,7 @@ import wbv.body.law.MuscleReflex;
 import wbv.body.law.ProgressiveSpring;
 import wbv.body.law.QuadraticDamping;
 import wbv.body.law.Reflex;
-import wbv.body.law.SaturatingSpring;
+import wbv.body.law.Saturation.SaturatingSpring;
 import wbv.body.number.Modulator;
 import wbv.body.number.Shape;
 import wbv.recording.Channel;

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
 import wbv.body.law.BristleFriction;
-import wbv.body.law.GradualSaturation;
+import wbv.body.law.Saturation.PartialSaturation;
 import wbv.body.number.Numbers;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
@@ -43,11 +43,12 @@ class FurtherFormTest {
         assertEquals(0, found.cubic());
     }
 
-    /** In softening of three widths, of which the plain form is the second: n, and the knee [m]. */
+    /** In softening of three widths, of which the plain form is the second, and of a part of the stiffness: n, b, and the knee [m]. */
     @ParameterizedTest
-    @CsvSource({"1.1, gradual", "2, ''", "5, gradual"})
-    void softeningIsFoundOverABendOfItsWidth(double sharpness, String form) {
-        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(new GradualSaturation(KNEE, sharpness)));
+    @CsvSource({"1.1, 0, gradual", "2, 0, ''", "5, 0, gradual", "2, 0.5, partial", "3, 0.25, partial"})
+    void softeningIsFoundInItsForm(double sharpness, double kept, String form) {
+        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()),
+                LawLearnerTest.recording(new PartialSaturation(KNEE, sharpness, kept)));
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         Fitter.State best = search.best(base, hypothesis -> hypothesis.where().equals("platform-torso")
@@ -57,6 +58,9 @@ class FurtherFormTest {
         assertEquals(KNEE, found[0], 0.1 * KNEE);
         if (found.length > 1) {
             assertEquals(sharpness, found[1], 0.15 * sharpness);
+        }
+        if (found.length > 2) {
+            assertEquals(kept, found[2], 0.05);
         }
     }
 
