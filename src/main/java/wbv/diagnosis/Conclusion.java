@@ -10,6 +10,7 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
@@ -110,15 +111,21 @@ final class Conclusion {
         return new LawLearner(evidence, search, base, entrances()).isOne(name);
     }
 
-    /** The best, or a simpler law at the same place that is as likely but for what a number more costs. */
-    private static Fitter.State simplest(List<Fitter.State> leaders) {
+    /** The best, or a simpler law or form at the same place that is as likely but for what a number more costs. */
+    private Fitter.State simplest(List<Fitter.State> leaders) {
         Fitter.State best = leaders.get(0);
         return leaders.subList(1, Math.min(Effort.LEADERS, leaders.size())).stream().filter(other -> isSimpler(other, best)).findFirst()
                 .orElse(best);
     }
 
-    private static boolean isSimpler(Fitter.State other, Fitter.State best) {
-        return best.candidate().last().yieldsTo(other.candidate().last())
-                && Calibration.standard().isAsLikely(other.reduced(), best.reduced());
+    private boolean isSimpler(Fitter.State other, Fitter.State best) {
+        Hypothesis found = best.candidate().last();
+        Hypothesis simpler = other.candidate().last();
+        int more = found.numbers().size() - simpler.numbers().size();
+        if (found.claim().equals(simpler.claim()) && more > 0) {
+            return !new Chosen(best, more * Calibration.standard().price()).outweighs(refinement.heldOut(best), Chosen.single(other),
+                    refinement.heldOut(other));
+        }
+        return found.yieldsTo(simpler) && Calibration.standard().isAsLikely(other.reduced(), best.reduced());
     }
 }

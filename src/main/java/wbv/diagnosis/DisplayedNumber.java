@@ -5,6 +5,7 @@ import java.math.RoundingMode;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import wbv.body.number.Units;
 
 /**
  * How a number whose key names its unit, such as {@code knee_m}, is told to people.
@@ -16,6 +17,9 @@ import java.util.Set;
 public record DisplayedNumber(String label, double factor, String unit) {
 
     /** Endings of keys, longer before shorter that they end with. */
+    /** Digits before the point with which a number is told in full, and zeros behind it but for the sign. */
+    private static final int MOST_DIGITS = 6;
+    private static final int LEAST_DIGITS = -3;
     private static final Map<String, DisplayedNumber> UNITS = units();
 
     /** Times that are fractions of a second. */
@@ -84,11 +88,12 @@ public record DisplayedNumber(String label, double factor, String unit) {
             return text(value);
         }
         // Two digits of half the width, and five of the value at most: nobody needs more.
-        int decimals = Math.max(2 - magnitude((high - low) / 2), 0);
-        if (decimals > Math.max(5 - magnitude(factor * value), 0)) {
+        int power = power(factor * value);
+        int decimals = Math.max(2 - magnitude((high - low) / 2) + power, 0);
+        if (decimals > Math.max(5 - magnitude(factor * value) + power, 0)) {
             return significant(factor * value, 5) + tail();
         }
-        return plain(factor * value, decimals) + tail() + ", " + plain(low, decimals) + " to " + plain(high, decimals);
+        return plain(factor * value, power, decimals) + tail() + ", " + plain(low, power, decimals) + " to " + plain(high, power, decimals);
     }
 
     private String tail() {
@@ -100,12 +105,20 @@ public record DisplayedNumber(String label, double factor, String unit) {
         return value == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(value))) + 1;
     }
 
-    private static String significant(double value, int digits) {
-        return plain(value, Math.max(0, digits - magnitude(value)));
+    /** Power of ten by which a number is told; 0 while nobody has to count its zeros. */
+    private static int power(double value) {
+        int magnitude = magnitude(value);
+        return magnitude > MOST_DIGITS || magnitude < LEAST_DIGITS ? magnitude - 1 : 0;
     }
 
-    private static String plain(double value, int decimals) {
-        return BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN).toPlainString().replace('-', '−');
+    private static String significant(double value, int digits) {
+        int power = power(value);
+        return plain(value, power, Math.max(0, digits - magnitude(value) + power));
+    }
+
+    private static String plain(double value, int power, int decimals) {
+        return BigDecimal.valueOf(value).scaleByPowerOfTen(-power).setScale(decimals, RoundingMode.HALF_EVEN).toPlainString()
+                .replace('-', '−') + (value == 0 ? "" : Units.timesTen(power));
     }
 
     private static String label(String name) {

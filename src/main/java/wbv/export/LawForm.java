@@ -172,6 +172,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             Map.entry("PartialSaturation",
                     "force = (1 - kept_share) * k * r * (pow(1 + pow(abs(r) / knee_m, sharpness), -1 / sharpness) - 1)"),
             Map.entry("ProgressiveSpring", "force = added_stiffness_N_per_m * r * r * r / (r * r + knee_m * knee_m)"),
+            Map.entry("GasSpring", """
+                    height = max(0.05, 1 + r / column_m)
+                    force = k * (column_m / 1.4 * (1 - pow(height, -1.4)) - r)
+                    """),
             Map.entry("QuadraticSpring", "force = k2_N_per_m2 * r * r"),
             Map.entry("PolynomialSpring", "force = (k2_N_per_m2 + k3_N_per_m3 * r) * r * r"),
             Map.entry("AsymmetricSpring", "force = r < 0 ? compression_ratio * k * r : 0"),

@@ -31,6 +31,15 @@ class DisplayedNumberTest {
     }
 
     @Test
+    void nobodyCountsZeros() {
+        assertEquals("6.19·10⁹ N/m³, 5.34·10⁹ to 7.10·10⁹",
+                DisplayedNumber.of("k3_N_per_m3").text(6185189865.0, closed(5336037410.0, 7098583965.0)));
+        assertEquals("1.93·10⁷ N/m², −0.01·10⁷ to 1.95·10⁷", DisplayedNumber.of("k2_N_per_m2").text(1.93e7, closed(-1e5, 1.95e7)));
+        assertEquals("2.300·10⁻⁵ N", DisplayedNumber.of("friction_N").text(2.3e-5));
+        assertEquals("123457 N", DisplayedNumber.of("friction_N").text(123456.7));
+    }
+
+    @Test
     void anOpenEndIsNotIdentifiable() {
         double open = Double.POSITIVE_INFINITY;
         assertEquals("not identifiable, at most 260 ms", DisplayedNumber.of("delay_s").text(0.2, closed(-open, 0.2602)));

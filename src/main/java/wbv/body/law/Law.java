@@ -9,7 +9,7 @@ import wbv.body.number.Modulator;
  * keeps one number, advanced in closed form over a step of monotone motion, so that it is exact for any step length.
  */
 public sealed interface Law permits
-        Saturation, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
+        Saturation, CubicSpring, ProgressiveSpring, GasSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, Slider, JenkinsElement, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
         StepChange, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {

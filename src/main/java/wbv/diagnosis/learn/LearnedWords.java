@@ -9,6 +9,7 @@ import wbv.body.law.LearnedInertance;
 import wbv.body.law.LearnedLimited;
 import wbv.body.law.LearnedWave;
 import wbv.body.number.Modulator;
+import wbv.body.number.Units;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Fitter;
 
@@ -18,7 +19,6 @@ public final class LearnedWords {
     private static final MathContext DIGITS = new MathContext(4);
     /** A shape that the motion of the link has no part in. */
     private static final String NOTHING_ELSE = "1 × ";
-    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private final Model model;
     private final List<Learned> terms;
@@ -115,9 +115,7 @@ public final class LearnedWords {
         if (power >= -3 && power < 5) {
             return new BigDecimal(value).round(DIGITS).toPlainString();
         }
-        StringBuilder raised = new StringBuilder();
-        Integer.toString(power).chars().forEach(c -> raised.append(c == '-' ? '⁻' : RAISED.charAt(c - '0')));
-        return new BigDecimal(value * Math.pow(10, -power)).round(DIGITS).toPlainString() + "·10" + raised;
+        return new BigDecimal(value * Math.pow(10, -power)).round(DIGITS).toPlainString() + Units.timesTen(power);
     }
 
     private String modulator(Modulator modulator, boolean limited) {

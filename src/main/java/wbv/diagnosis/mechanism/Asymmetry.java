@@ -5,7 +5,6 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
 
-import java.util.ArrayList;
 import java.util.List;
 import wbv.body.law.AsymmetricSpring;
 import wbv.body.law.BendingSpring;
@@ -26,22 +25,14 @@ record Asymmetry() implements Mechanism {
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         double r = link.deflection();
         double even = 0.1 * link.stiffness() / r;
-        List<Hypothesis> out = new ArrayList<>();
-        if (!scene.onRig() || link.own() > 0) {
-            out.add(Hypothesis.law(this, link, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1))));
-        }
-        if (scene.onRig()) {
-            out.add(square(link, "", even, 1000));
-            return out;
-        }
-        out.add(Hypothesis.law(this, link, "round", new BendingSpring(0.1, r), List.of(sum(0.1, -0.97, 12), factor(0.01 * r, 20 * r)),
-                grid(new double[] {0.3, 1}, q -> Start.of(new double[] {0.1, q * r}, new int[] {0}))));
-        out.add(square(link, "bent", even, 300));
-        return out;
-    }
-
-    private Hypothesis square(Scene.Link link, String form, double even, double most) {
-        return Hypothesis.law(this, link, form, new QuadraticSpring(even), List.of(sum(even, -most * even, most * even)),
+        Hypothesis square = Hypothesis.law(this, link, "bent", new QuadraticSpring(even), List.of(sum(even, -1000 * even, 1000 * even)),
                 List.of(scaled(even)));
+        return link.own() > 0
+                ? List.of(Hypothesis.law(this, link, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1))),
+                        Hypothesis.law(this, link, "round", new BendingSpring(0.1, r),
+                                List.of(sum(0.1, -0.97, 12), factor(0.01 * r, 20 * r)),
+                                grid(new double[] {0.3, 1}, q -> Start.of(new double[] {0.1, q * r}, new int[] {0}))),
+                        square)
+                : List.of(square);
     }
 }

@@ -23,25 +23,14 @@ record Clearance() implements Mechanism {
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         double r = link.deflection();
-        return scene.onRig() ? onRig(scene, link, r) : List.of(
-                Hypothesis.law(this, link, "", new Backlash(r), List.of(factor(1e-5, 1e-2)),
-                        grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r))),
-                rounded(link, r, factor(1e-5, 1e-2)));
-    }
-
-    private Hypothesis rounded(Scene.Link link, double r, Hypothesis.Number gap) {
-        return Hypothesis.law(this, link, "rounded", new RoundedBacklash(r, 0.5 * r, 0.3),
-                List.of(gap, factor(0.01 * r, 3 * r), sum(0.3, 0, 1)),
-                grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * r, 0.5 * q * r, 0.3)));
-    }
-
-    private List<Hypothesis> onRig(Scene scene, Scene.Link link, double r) {
         List<Hypothesis> out = new ArrayList<>();
         if (link.own() > 0) {
-            out.add(Hypothesis.law(this, link, "", new Backlash(r), List.of(factor(1e-3 * r, 10 * r)),
-                    grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r))));
+            Hypothesis.Number gap = factor(1e-3 * r, 10 * r);
+            out.add(Hypothesis.law(this, link, "", new Backlash(r), List.of(gap), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r))));
             if (!scene.model().driven()) {
-                out.add(rounded(link, r, factor(1e-3 * r, 10 * r)));
+                out.add(Hypothesis.law(this, link, "rounded", new RoundedBacklash(r, 0.5 * r, 0.3),
+                        List.of(gap, factor(0.01 * r, 3 * r), sum(0.3, 0, 1)),
+                        grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * r, 0.5 * q * r, 0.3))));
             }
         }
         if (scene.model().driven()) {

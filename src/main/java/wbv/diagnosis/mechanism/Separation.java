@@ -10,11 +10,12 @@ import java.util.stream.Stream;
 import wbv.body.law.ContactLoss;
 import wbv.body.law.RoundedContactLoss;
 
-/** Ends that part where a preload is overcome, at once or gradually. None on a rig, whose links have no weight on them. */
+/** Ends that part where a preload is overcome, at once or gradually. */
 record Separation() implements Mechanism {
 
-    /** The least preload to start from [N]. */
-    private static final double LEAST = 0.5;
+    /** Preloads that are looked for, in parts of the greatest pull of a link that never parts [1]. */
+    private static final double LEAST = 3e-3;
+    private static final double MOST = 5;
 
     @Override
     public Entry entry() {
@@ -23,18 +24,20 @@ record Separation() implements Mechanism {
 
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
-        if (scene.onRig()) {
+        double most = link.pull(1);
+        if (!(link.own() > 0) || scene.model().driven() || !(most > 0)) {
             return List.of();
         }
         double[] seldom = {0.65, 0.85, 0.95, 0.99};
-        double most = link.pull(1);
-        return List.of(Hypothesis.law(this, link, "", new ContactLoss(100), List.of(factor(0.5, 1000)),
-                Stream.concat(grid(seldom, q -> fixed(Math.max(LEAST, link.pull(q)))).stream(),
-                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(LEAST, q * most)))).toList()),
-                Hypothesis.law(this, link, "rounded", new RoundedContactLoss(100, 10), List.of(factor(0.5, 1000), factor(0.05, 300)),
-                        grid(seldom, q -> {
-                            double preload = Math.max(LEAST, link.pull(q));
-                            return fixed(preload, 0.1 * preload);
+        double least = LEAST * most;
+        Hypothesis.Number preload = factor(least, MOST * most);
+        return List.of(Hypothesis.law(this, link, "", new ContactLoss(most), List.of(preload),
+                Stream.concat(grid(seldom, q -> fixed(Math.max(least, link.pull(q)))).stream(),
+                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(q * most))).toList()),
+                Hypothesis.law(this, link, "rounded", new RoundedContactLoss(most, 0.1 * most),
+                        List.of(preload, factor(0.1 * least, most)), grid(seldom, q -> {
+                            double at = Math.max(least, link.pull(q));
+                            return fixed(at, 0.1 * at);
                         })));
     }
 }

@@ -37,10 +37,10 @@ record Softening() implements Mechanism {
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         double r = link.deflection();
-        if (scene.onRig()) {
-            return link.own() > 0 ? List.of(law(link, factor(0.02 * r, 50 * r), r, 0.5, 1.5, 4)) : List.of();
-        }
-        return List.of(law(link, factor(5e-5, 5e-2), r, 0.25, 0.6, 1.5, 4));
+        return link.own() > 0
+                ? List.of(Hypothesis.law(this, link, "", new SaturatingSpring(r), List.of(factor(0.02 * r, 50 * r)),
+                        grid(new double[] {0.25, 0.6, 1.5, 4}, q -> fixed(q * r))))
+                : List.of();
     }
 
     /** Over a bend of another width, and then of a part of the stiffness. */
@@ -64,13 +64,5 @@ record Softening() implements Mechanism {
         List<Number> numbers = new ArrayList<>(plain.numbers());
         numbers.add(further);
         return new Hypothesis(this, plain.where(), name, List.of(law), numbers, starts);
-    }
-
-    /**
-     * @param r unit of the knee [m]
-     * @param knees to start from, in that unit
-     */
-    private Hypothesis law(Scene.Link link, Number knee, double r, double... knees) {
-        return Hypothesis.law(this, link, "", new SaturatingSpring(r), List.of(knee), grid(knees, q -> fixed(q * r)));
     }
 }

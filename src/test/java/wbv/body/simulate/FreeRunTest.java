@@ -20,6 +20,7 @@ import wbv.body.law.ContactLoss;
 import wbv.body.law.CoulombFriction;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.EngagingFriction;
+import wbv.body.law.GasSpring;
 import wbv.body.law.JenkinsElement;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;
@@ -56,7 +57,7 @@ class FreeRunTest {
 
     static Stream<Law> laws() {
         return Stream.of(new SaturatingSpring(1e-3), new GradualSaturation(1e-3, 1.3), new PartialSaturation(1e-3, 1.3, 0.4),
-                new QuadraticSpring(2e6), new ProgressiveSpring(60000, 1e-3),
+                new QuadraticSpring(2e6), new ProgressiveSpring(60000, 1e-3), new GasSpring(0.01),
                 new PolynomialSpring(-2e6, 5e9), new EngagingFriction(60, 45, 6e-4, 2), new CubicSpring(-2e9), new CubicSpring(5e9),
                 new AsymmetricSpring(0.6), new QuadraticDamping(8000), new CoulombFriction(30, 1e-3),
                 new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new Slider(0.4, 8e-4), new JenkinsElement(3e4, 8e-4),
