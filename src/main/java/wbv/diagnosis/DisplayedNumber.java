@@ -16,10 +16,11 @@ import wbv.body.number.Units;
  */
 public record DisplayedNumber(String label, double factor, String unit) {
 
-    /** Endings of keys, longer before shorter that they end with. */
-    /** Digits before the point with which a number is told in full, and zeros behind it but for the sign. */
+    /** Digits before the point of the greatest number that is told in full; of the least, how many zeros behind it, negative. */
     private static final int MOST_DIGITS = 6;
     private static final int LEAST_DIGITS = -3;
+
+    /** Endings of keys, longer before shorter that they end with. */
     private static final Map<String, DisplayedNumber> UNITS = units();
 
     /** Times that are fractions of a second. */
@@ -30,7 +31,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
                     Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"),
                     Map.entry("towards x", "tilt towards x"), Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"),
                     Map.entry("quadratic", "quadratic drift"),
-                    Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"));
+                    Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"),
+                    Map.entry("column", "column of air"), Map.entry("kept share", "share of the stiffness kept"));
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it

@@ -21,7 +21,9 @@ import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.law.PolynomialSpring;
+import wbv.body.law.LearnedTerm;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnosed;
@@ -53,25 +55,23 @@ class OwnMechanismTest {
     private static final Model MODEL = new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
             List.of(body("seat", 15, SEAT), body("torso", 40, TORSO)),
             List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
-    private static final PolynomialSpring TRUTH = new PolynomialSpring(2.7e7, 5.4e10);
+    private static final LearnedTerm TRUTH = new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 1.5e9);
 
     @TempDir
     Path folder;
 
-    /** A spring with a square and a cube at once, which the library has for rigs alone. */
+    /** A dashpot that grips as it is bent, which no library has: c r² v. */
     private record Cushion() implements Mechanism.Custom {
         @Override
         public Entry entry() {
-            return new Entry("toy.cushion", Family.SPRING, "The cushion %s bulges");
+            return new Entry("toy.cushion", Family.LOSS, "The cushion %s grips");
         }
 
         @Override
         public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
-            double even = 0.1 * link.stiffness() / link.deflection();
-            double odd = even / link.deflection();
-            return List.of(Hypothesis.law(this, link, "", new PolynomialSpring(even, odd),
-                    List.of(Hypothesis.Number.sum(even, -100 * even, 100 * even), Hypothesis.Number.sum(odd, 0, 100 * odd)),
-                    List.of(Hypothesis.Start.of(new double[] {even, odd}, new int[] {0}, new int[] {1}))));
+            double usual = 0.1 * link.damping() / (link.deflection() * link.deflection());
+            return List.of(Hypothesis.law(this, link, "", new LearnedTerm(TRUTH.shape(), Modulator.NONE, usual),
+                    List.of(Hypothesis.Number.sum(usual, -100 * usual, 100 * usual)), List.of(Hypothesis.Start.scaled(usual))));
         }
     }
 
@@ -83,9 +83,8 @@ class OwnMechanismTest {
         Diagnosis diagnosis = found.diagnosis();
         assertEquals(List.of("toy.cushion"), diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList(), diagnosis.sentence());
         assertEquals("seat-torso", diagnosis.missing().get(0).where());
-        assertTrue(diagnosis.sentence().startsWith("The cushion seat-torso bulges"), diagnosis.sentence());
-        assertEquals(TRUTH.quadratic(), diagnosis.missing().get(0).parameters().get("k2_N_per_m2"), 0.05 * TRUTH.quadratic());
-        assertEquals(TRUTH.cubic(), diagnosis.missing().get(0).parameters().get("k3_N_per_m3"), 0.05 * TRUTH.cubic());
+        assertTrue(diagnosis.sentence().startsWith("The cushion seat-torso grips"), diagnosis.sentence());
+        assertEquals(TRUTH.coefficient(), diagnosis.missing().get(0).parameters().get("coefficient_N"), 0.05 * TRUTH.coefficient());
         assertFalse(Pictures.of(found).portraits().isEmpty());
 
         try (OutputFolder out = OutputFolder.at(folder)) {
