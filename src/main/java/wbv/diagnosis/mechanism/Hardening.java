@@ -14,8 +14,10 @@ import wbv.body.law.PolynomialSpring;
 import wbv.body.law.ProgressiveSpring;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
-/** A spring whose force grows faster than its deflection: with the cube, from a knee on, with square and cube, or as a column of
- * air that is compressed. */
+/**
+ * A spring whose force grows faster than its deflection: with the cube, with square and cube, from a knee on, or as a column of air that is
+ * compressed.
+ */
 record Hardening() implements Mechanism {
 
     @Override

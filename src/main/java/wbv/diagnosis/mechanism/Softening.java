@@ -22,12 +22,10 @@ record Softening() implements Mechanism {
      */
     private static final double WIDEST = 0.3;
     private static final double NARROWEST = 20;
-    /**
-     * Share of the stiffness that is kept [1]: what buckles pushes back, and what keeps nearly all does not soften.
-     */
+    /** Share of the stiffness that is kept, and a step of it [1]: what buckles pushes back, and what keeps nearly all does not soften. */
     private static final double LEAST_KEPT = -0.5;
     private static final double MOST_KEPT = 0.95;
-    private static final double SHARE = 0.1;
+    private static final double STEP = 0.1;
 
     @Override
     public Entry entry() {
@@ -55,7 +53,7 @@ record Softening() implements Mechanism {
         }
         return in.law() instanceof GradualSaturation
                 ? Optional.of(form(plain, "partial", new Addition.InLink(in.link(), new PartialSaturation(found[0], found[1], 0)),
-                        sum(SHARE, LEAST_KEPT / SHARE, MOST_KEPT / SHARE).named("kept_share"),
+                        sum(STEP, LEAST_KEPT, MOST_KEPT).named("kept_share"),
                         List.of(fixed(found[0], found[1], 0), fixed(found[0] / 2, found[1], 0.5))))
                 : Optional.empty();
     }
