@@ -6,7 +6,9 @@ import java.util.Random;
 import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.body.LawAt;
-import wbv.body.law.PolynomialSpring;
+import wbv.body.law.LearnedTerm;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnoser;
@@ -23,8 +25,8 @@ import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
 /**
- * A law of one's own in a diagnosis: a cushion whose force has a square and a cube of its deflection, which no entry of the library has for
- * people. It is tried beside all others, and named in its own words. The recording is simulated here.
+ * A law of one's own in a diagnosis: a cushion whose damping grows with the square of its deflection, which no entry of the library has. It
+ * is tried beside all others, and named in its own words. The recording is simulated here.
  *
  * <pre>java -cp "target/wbv.jar:target/lib/*" examples/OwnLaw.java</pre>
  */
@@ -38,36 +40,38 @@ public final class OwnLaw {
 
     private OwnLaw() {}
 
-    /** What the law is called, and in which link, with which numbers, from which sizes on it is tried. */
-    private record Bulging() implements Mechanism.Custom {
+    /** What the law is called, and in which link, with which number, from which size on it is tried. */
+    private record Gripping() implements Mechanism.Custom {
         @Override
         public Entry entry() {
-            return new Entry("cushion.bulging", Family.SPRING, "The cushion %s bulges");
+            return new Entry("cushion.gripping", Family.LOSS, "The cushion %s grips as it is bent");
         }
 
         @Override
         public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
-            double square = 0.1 * link.stiffness() / link.deflection();
-            double cube = square / link.deflection();
-            return List.of(Hypothesis.law(this, link, "", new PolynomialSpring(square, cube),
-                    List.of(Hypothesis.Number.sum(square, -100 * square, 100 * square), Hypothesis.Number.sum(cube, 0, 100 * cube)),
-                    List.of(Hypothesis.Start.of(new double[] {square, cube}, new int[] {0}, new int[] {1}))));
+            double usual = 0.1 * link.damping() / (link.deflection() * link.deflection());
+            return List.of(Hypothesis.law(this, link, "", law(usual), List.of(Hypothesis.Number.sum(usual, -100 * usual, 100 * usual)),
+                    List.of(Hypothesis.Start.scaled(usual))));
         }
+    }
+
+    /** c r² v. */
+    private static LearnedTerm law(double c) {
+        return new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, c);
     }
 
     public static void main(String[] arguments) {
         Model model = new Model("sitter", Optional.empty(), 'z', new Model.Base("platform", Optional.of(Channel.parse("platform.acc.z"))),
                 List.of(body("seat", 15, "seat.acc.z"), body("torso", 40, "sternum.acc.z")),
                 List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
-        Question question = Question.of(model, ride(model, new PolynomialSpring(2.7e7, 5.4e10)))
-                .with(Library.standard().with(new Bulging()));
+        Question question = Question.of(model, ride(model, law(1.5e9))).with(Library.standard().with(new Gripping()));
         Diagnosis diagnosis = Diagnoser.examine(question, (step, share) -> {}).diagnosis();
         System.out.println(diagnosis.sentence());
         diagnosis.missing().forEach(each -> System.out.println(each.mechanism() + " at " + each.where() + ": " + each.parameters()));
     }
 
     /** Forty seconds of the model with the law in its cushion, under 300 sines between 2 and 9 Hz. */
-    private static Recording ride(Model model, PolynomialSpring law) {
+    private static Recording ride(Model model, LearnedTerm law) {
         Random random = new Random(11);
         double[] base = new double[SAMPLES];
         for (int s = 0; s < 300; s++) {
