@@ -123,8 +123,7 @@ final class Conclusion {
         Hypothesis simpler = other.candidate().last();
         int more = found.numbers().size() - simpler.numbers().size();
         if (found.claim().equals(simpler.claim()) && more > 0) {
-            return !new Chosen(best, more * Calibration.standard().price()).outweighs(refinement.heldOut(best), Chosen.single(other),
-                    refinement.heldOut(other));
+            return !refinement.pays(best, other, more);
         }
         return found.yieldsTo(simpler) && Calibration.standard().isAsLikely(other.reduced(), best.reduced());
     }

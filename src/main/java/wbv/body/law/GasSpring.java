@@ -11,6 +11,7 @@ import wbv.body.number.Key;
  */
 public record GasSpring(@Key("column_m") double column) implements Law {
 
+    /** Ratio of the heat capacities of dry air at room temperature [1]. */
     private static final double ADIABATIC = 1.4;
     /** Part of its height to which a column can be compressed, and from which on it goes no further [1]: a guard. */
     private static final double LEAST = 0.05;

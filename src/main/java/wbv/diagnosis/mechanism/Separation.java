@@ -13,7 +13,7 @@ import wbv.body.law.RoundedContactLoss;
 /** Ends that part where a preload is overcome, at once or gradually. */
 record Separation() implements Mechanism {
 
-    /** Preloads that are looked for, in parts of the greatest pull of a link that never parts [1]. */
+    /** Preloads that are looked for, in parts of the greatest pull of a link that never parts [1]: assumed. */
     private static final double LEAST = 3e-3;
     private static final double MOST = 5;
 

@@ -22,7 +22,7 @@ record Softening() implements Mechanism {
      */
     private static final double WIDEST = 0.3;
     private static final double NARROWEST = 20;
-    /** Share of the stiffness that is kept, and a step of it [1]: what buckles pushes back, and what keeps nearly all does not soften. */
+    /** Share of the stiffness that is kept, and a step of it [1]: what buckles pushes back, and what keeps all does not soften. Assumed. */
     private static final double LEAST_KEPT = -0.5;
     private static final double MOST_KEPT = 0.95;
     private static final double STEP = 0.1;

@@ -52,16 +52,13 @@ final class FurtherForm {
     }
 
     /**
-     * Whether the numbers more are worth their price beside the simpler form, fitted on the same noise from where the further one
-     * stands, on data that were not used too.
+     * Whether the numbers more are worth their price beside the simpler form, fitted on the same noise from where the further one stands.
      */
     private boolean pays(Fitter.State further, Fitter.State simpler) {
         double[] found = values(simpler);
         Fitter.State without = refinement.fitted(base.candidate(), simpler.candidate().last(), numbers(further), further.frame(),
                 List.of(found, Arrays.copyOf(values(further), found.length)));
-        double price = (values(further).length - found.length) * Calibration.standard().price();
-        return without.failed() || new Chosen(further, price).outweighs(refinement.heldOut(further), Chosen.single(without),
-                refinement.heldOut(without));
+        return without.failed() || refinement.pays(further, without, values(further).length - found.length);
     }
 
     /** Coordinates of what the mechanism stands on [1], one a knob. */

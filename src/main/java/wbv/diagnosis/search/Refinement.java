@@ -154,6 +154,16 @@ public final class Refinement {
                 Effort.TRIES);
     }
 
+    /**
+     * Whether the numbers that one form of a law has more than another are worth their price, on data that were not used too.
+     *
+     * @param more how many
+     */
+    public boolean pays(Fitter.State further, Fitter.State simpler, int more) {
+        return new Chosen(further, more * Calibration.standard().price()).outweighs(heldOut(further), Chosen.single(simpler),
+                heldOut(simpler));
+    }
+
     /** χ² per number on the held-out window [1]. */
     public double heldOut(Fitter.State fit) {
         return new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced();
