@@ -16,6 +16,7 @@ import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.PairRivals;
 import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
@@ -46,9 +47,18 @@ final class Conclusion {
 
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
-        Chosen chosen = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
+        Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
+        List<Fitter.State> all = new ArrayList<>(fits);
+        Chosen chosen = first;
+        if (first.fit().candidate().added().size() == 2) {
+            PairRivals others = new PairRivals(evidence, search, base);
+            List<Fitter.State> rivals = others.of(first.fit());
+            chosen = others.likeliest(first, rivals);
+            all.addAll(rivals);
+            all.add(first.fit());
+        }
         inquiry.progress().accept("proving", 0.9);
-        Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, fits));
+        Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, all));
         double heldBefore = refinement.heldOut(base);
         Diagnosed found = new Verdicts(standing, heldBefore, search).diagnosed(this::places);
         List<Diagnosis.Named> missing = found.diagnosis().missing();

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -45,8 +46,8 @@ final class Standing {
             return evidence + numbers;
         }
 
-        boolean isSingle() {
-            return fit.candidate().added().size() == 1;
+        int parts() {
+            return fit.candidate().added().size();
         }
 
         Weight withNumbers(double own) {
@@ -76,16 +77,16 @@ final class Standing {
     }
 
     /**
-     * A single name that is likelier than what was found, with data not used as well, and stands at no bound that nothing real has. Several
-     * together give way to one only where they are no part of the answer.
+     * What is likelier than what was found, with data not used as well, and stands at no bound that nothing real has. Several together give
+     * way to one of them, and to another only where they are no part of the answer.
      */
     private Optional<Fitter.State> likelier() {
         int parts = best.candidate().added().size();
         DecisionRule.Reading reading = reading();
-        if (parts == 0 || parts > 1 && (reading.isUnknown() || reading.claims().contains(found()))) {
-            return Optional.empty();
-        }
-        return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(Weight::isSingle)
+        boolean stays = reading.isUnknown() || reading.claims().contains(found());
+        Set<Claim> own = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
+        return weights.stream().takeWhile(weight -> !weight.claim().equals(found()))
+                .filter(weight -> weight.parts() > 0 && (weight.parts() == parts || weight.parts() < parts && (!stays || own.contains(weight.claim()))))
                 .filter(weight -> !Search.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
                 .map(Weight::fit).findFirst();
     }
@@ -112,7 +113,9 @@ final class Standing {
 
     /** How likely one of the mechanisms that were found is, whether the others are there or not. */
     double probability(Hypothesis hypothesis) {
-        return posterior.mass(claim -> claim.equals(claim(hypothesis))) + (best.candidate().added().size() > 1 ? probability() : 0);
+        Set<Claim> with = weights.stream().filter(weight -> weight.fit().candidate().added().stream().anyMatch(own(hypothesis)))
+                .map(Weight::claim).collect(Collectors.toSet());
+        return posterior.mass(with::contains);
     }
 
     /** What is read off it: that a part of what was found is all there is does not contradict it. */
@@ -132,10 +135,10 @@ final class Standing {
         double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
         double scale = sum > most ? most / sum : 1;
         Set<Claim> seen = new HashSet<>(Set.of(found()));
-        return weights.stream()
-                .filter(weight -> weight.isSingle() && !isOwn(weight.fit().candidate().last()) && seen.add(weight.claim()))
-                .map(weight -> named(weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())).limit(VerdictWords.RIVALS)
-                .toList();
+        return weights.stream().filter(weight -> seen.add(weight.claim())).flatMap(weight -> weight.fit().candidate().added().stream()
+                .filter(hypothesis -> !isOwn(hypothesis)).limit(1)
+                .map(other -> named(other, weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())))
+                .limit(VerdictWords.RIVALS).toList();
     }
 
     /** How likely the model's own numbers are with what was found [nat], 0 or less. */
@@ -151,18 +154,17 @@ final class Standing {
     static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
         Set<Claim> seen = new HashSet<>(Set.of(but));
         return fits.stream().filter(fit -> seen.add(claim(fit)))
-                .map(fit -> named(fit, posterior.of(claim(fit))))
+                .map(fit -> named(fit.candidate().last(), fit, posterior.of(claim(fit))))
                 .sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(VerdictWords.RIVALS).toList();
     }
 
-    private static Diagnosis.Named named(Fitter.State fit, double probability) {
-        Hypothesis last = fit.candidate().last();
-        return new Diagnosis.Named(last.mechanism(), last.where(), probability, Map.of(), Map.of(), fit.reduced());
+    private static Diagnosis.Named named(Hypothesis hypothesis, Fitter.State fit, double probability) {
+        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, Map.of(), Map.of(), fit.reduced());
     }
 
-    /** What a fit claims: all that it adds, together. */
+    /** What a fit claims: all that it adds, together, in whatever order. */
     static Claim claim(Fitter.State fit) {
-        return Claim.named(fit.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
+        return Claim.named(fit.candidate().added().stream().map(Standing::name).sorted().collect(Collectors.joining(" + ")));
     }
 
     private Claim found() {
@@ -170,7 +172,11 @@ final class Standing {
     }
 
     private boolean isOwn(Hypothesis hypothesis) {
-        return best.candidate().added().stream().anyMatch(own -> name(own).equals(name(hypothesis)));
+        return best.candidate().added().stream().anyMatch(own(hypothesis));
+    }
+
+    private static Predicate<Hypothesis> own(Hypothesis hypothesis) {
+        return other -> name(other).equals(name(hypothesis));
     }
 
     private static Claim claim(Hypothesis hypothesis) {
@@ -193,7 +199,7 @@ final class Standing {
         double least = Stream.concat(leaders.stream(), Stream.of(base, best)).mapToDouble(Fitter.State::reduced)
                 .reduce(unlisted, Math::min);
         List<Weight> all = new ArrayList<>(List.of(new Weight(Claim.VALUES, base, calibration.evidence(base.reduced(), least), 0)));
-        leaders.forEach(fit -> all.add(new Weight(claim(fit), fit, calibration.evidence(fit.reduced(), least), 0)));
+        leaders.forEach(fit -> all.add(new Weight(claim(fit), fit, calibration.evidence(fit.reduced(), least) - fits.price(fit), 0)));
         if (best != base) {
             all.add(new Weight(found(), best, calibration.evidence(ofBest, least) - fits.price(), 0));
         }

@@ -42,18 +42,26 @@ public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fit
                 leaders.stream().map(look).toList());
     }
 
+    /** What the choice of a fit's parts beyond the first cost [nat]: as much as that of the best where it has as many. */
+    public double price(Fitter.State fit) {
+        return fit.candidate().added().size() < best.candidate().added().size() ? 0 : price;
+    }
+
     /**
-     * Whether a single mechanism is likelier than the best by data used and not used, and by the model's own numbers.
+     * Whether one of the leaders is likelier than the best by data used and not used, and by the model's own numbers.
      *
      * @param numbers by how much these speak for it [nat]
      */
-    public boolean isLikelier(Fitter.State single, double numbers) {
+    public boolean isLikelier(Fitter.State other, double numbers) {
         Refinement refinement = new Refinement(evidence);
-        return Chosen.single(single).evidence(refinement.heldOut(single), chosen(), refinement.heldOut(best)) + price + numbers > 0;
+        return Chosen.single(other).evidence(refinement.heldOut(other), chosen(), refinement.heldOut(best)) + price - price(other)
+                + numbers > 0;
     }
 
-    /** The same with another best. */
+    /** The same with another best; what has more parts than that is no rival of it. */
     public Fits with(Fitter.State other) {
-        return new Fits(evidence, given, base, other, price, leaders);
+        int parts = other.candidate().added().size();
+        return new Fits(evidence, given, base, other, price(other),
+                leaders.stream().filter(fit -> fit.candidate().added().size() <= parts).toList());
     }
 }

@@ -114,6 +114,21 @@ public final class Refinement {
     }
 
     /**
+     * The same, and where it bent the model and leaves something still, begun anew from the model's numbers as given too: of two resonances
+     * on one path, a neck's and a mount's, each may have taken the other's place, and no step leads back.
+     */
+    Fitter.State polishFromBoth(Fitter.State fit) {
+        Fitter.State first = polish(fit);
+        if (first.failed() || !bent(first) || excess(first.reduced()) <= PairSearch.QUIET) {
+            return first;
+        }
+        double[] x = first.x().clone();
+        System.arraycopy(first.candidate().start(), 0, x, 0, first.candidate().given());
+        Fitter.State anew = polish(first.candidate(), x);
+        return !anew.failed() && anew.reduced() < first.reduced() ? anew : first;
+    }
+
+    /**
      * The same from coordinates at which nothing was simulated yet.
      *
      * @param x coordinates [1], one a knob. Not modified.

@@ -1,0 +1,62 @@
+package wbv.diagnosis.search;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * What else either part of a pair may be. Each was found while whatever acts at the other's place was ignored, or on top of a first that had
+ * bent the model to make up for what was missing still; which law it is, play or a stop, shows only beside the other.
+ */
+public final class PairRivals {
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Fitter.State base;
+
+    /** @param base the model without any mechanism, fitted */
+    public PairRivals(Evidence evidence, Search search, Fitter.State base) {
+        this.evidence = evidence;
+        this.search = search;
+        this.base = base;
+    }
+
+    /** The same pair with another mechanism in the place of one of its parts, fitted; none that stands at a bound that nothing real has. */
+    public List<Fitter.State> of(Fitter.State pair) {
+        List<Hypothesis> parts = pair.candidate().added();
+        if (parts.size() != 2) {
+            throw new IllegalArgumentException("a pair has two parts and not " + parts.size());
+        }
+        return Stream.concat(inPlace(parts.get(0), parts.get(1), pair), inPlace(parts.get(1), parts.get(0), pair)).toList();
+    }
+
+    /**
+     * The likeliest of a pair and its rivals by what they leave, none of which costs more than the other.
+     *
+     * @param rivals see {@link #of}. Not modified
+     */
+    public Chosen likeliest(Chosen pair, List<Fitter.State> rivals) {
+        Refinement refinement = search.refinement();
+        Chosen best = pair;
+        for (Fitter.State rival : rivals) {
+            Chosen other = new Chosen(rival, pair.price());
+            best = other.outweighs(refinement.heldOut(rival), best, refinement.heldOut(best.fit())) ? other : best;
+        }
+        return best;
+    }
+
+    private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
+        Candidate left = base.candidate().with(other);
+        double[] x = Arrays.copyOf(pair.x(), left.knobs().size());
+        PlacePairs.copy(other, pair, left, x);
+        Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
+        return search.leaders(without, Effort.SECONDS, Whereabouts.among(evidence, left, Map.of(Place.plain(part, left), x))).stream()
+                .filter(fit -> !Search.extreme(fit));
+    }
+}
