@@ -86,7 +86,8 @@ final class Standing {
         boolean stays = reading.isUnknown() || reading.claims().contains(found());
         Set<Claim> own = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
         return weights.stream().takeWhile(weight -> !weight.claim().equals(found()))
-                .filter(weight -> weight.parts() > 0 && (weight.parts() == parts || weight.parts() < parts && (!stays || own.contains(weight.claim()))))
+                .filter(weight -> weight.parts() > 0
+                        && (weight.parts() == parts || weight.parts() < parts && (!stays || own.contains(weight.claim()))))
                 .filter(weight -> !Search.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
                 .map(Weight::fit).findFirst();
     }

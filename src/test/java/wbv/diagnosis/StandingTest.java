@@ -46,7 +46,10 @@ class StandingTest {
 
     /** A fit with a mechanism that leaves so much. @param at which hypothesis of the library */
     private static Fitter.State leaving(double reduced, Optional<Hypothesis> at) {
-        Candidate candidate = at.map(base.candidate()::with).orElse(base.candidate());
+        return leaving(at.map(base.candidate()::with).orElse(base.candidate()), reduced);
+    }
+
+    private static Fitter.State leaving(Candidate candidate, double reduced) {
         return new Fitter.State(candidate, candidate.start(), base.cost(), reduced * base.frame().whitening().degrees(), base.raw(),
                 base.errors(), base.slopes(), base.frame());
     }
@@ -177,6 +180,44 @@ class StandingTest {
         assertEquals(hardening, Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening))).fits().best());
         assertEquals(play, Standing.of(fits).fits().best());
         assertTrue(fits.isLikelier(hardening, 2) && !fits.isLikelier(hardening, -1000) && !fits.isLikelier(wild, 1000));
+    }
+
+    /** A pair whose play needs a spring three times as stiff gives way to one with hardening; what both share is as sure as both. */
+    @Test
+    void theModelsNumbersDecideWhatAPartOfAPairIs() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State straight = both("contact.backlash", 1.5);
+        Fitter.State play = at(straight, straight.candidate().stiffness(0).orElseThrow(), Math.log(3));
+        Fitter.State hardening = both("stiffness.hardening", 1.52);
+        double price = Math.log(50);
+        Standing standing = Standing.of(new Fits(evidence, plain, plain, new Chosen(play, price), List.of(hardening, play)));
+        assertEquals(hardening, standing.fits().best());
+        assertEquals(price, standing.fits().price());
+        Diagnosis.Named rival = standing.rivals(1).get(0);
+        assertEquals("contact.backlash", rival.mechanism());
+        assertEquals(standing.probability() + rival.probability(), standing.probability(mechanism("sensor.clipping").orElseThrow()), 1e-12);
+        assertEquals(standing.probability(), standing.probability(mechanism("stiffness.hardening").orElseThrow()), 1e-12);
+        // In whatever order they were added.
+        Fitter.State turned = leaving(1.5, mechanism("sensor.clipping"));
+        Candidate two = turned.candidate().with(mechanism("stiffness.hardening").orElseThrow());
+        assertEquals(Standing.claim(hardening), Standing.claim(leaving(two, 1.5)));
+    }
+
+    /** A second part that is bought with a spring three times as stiff, and explains little, is none; nor is the pair a rival then. */
+    @Test
+    void aPartStaysAloneWhereTheNumbersSpeakAgainstTheOther() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State alone = leaving(1.52, mechanism("stiffness.hardening"));
+        Fitter.State straight = both("stiffness.hardening", 1.5);
+        Fitter.State bent = at(straight, straight.candidate().stiffness(0).orElseThrow(), Math.log(3));
+        Standing standing = Standing.of(new Fits(evidence, plain, plain, new Chosen(bent, 0.1), List.of(alone, bent)));
+        assertEquals(alone, standing.fits().best());
+        assertEquals(List.of(), standing.rivals(1));
+        assertEquals(0, standing.fits().price());
+    }
+
+    private static Fitter.State both(String word, double left) {
+        return leaving(base.candidate().with(mechanism(word).orElseThrow()).with(mechanism("sensor.clipping").orElseThrow()), left);
     }
 
     private static Fitter.State at(Fitter.State state, int number, double value) {

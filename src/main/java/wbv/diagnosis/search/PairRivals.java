@@ -3,6 +3,8 @@ package wbv.diagnosis.search;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -27,7 +29,10 @@ public final class PairRivals {
         this.base = base;
     }
 
-    /** The same pair with another mechanism in the place of one of its parts, fitted; none that stands at a bound that nothing real has. */
+    /**
+     * The same pair with another mechanism in the place of one of its parts, or with a form of it that has fewer numbers, fitted; none that
+     * stands at a bound that nothing real has.
+     */
     public List<Fitter.State> of(Fitter.State pair) {
         List<Hypothesis> parts = pair.candidate().added();
         if (parts.size() != 2) {
@@ -37,18 +42,31 @@ public final class PairRivals {
     }
 
     /**
-     * The likeliest of a pair and its rivals by what they leave, none of which costs more than the other.
+     * The likeliest of a pair and its rivals by what they leave. What the choice of a second costs is the same for all; of two forms of the
+     * same laws the one of more numbers has to pay for them.
      *
      * @param rivals see {@link #of}. Not modified
      */
     public Chosen likeliest(Chosen pair, List<Fitter.State> rivals) {
-        Refinement refinement = search.refinement();
         Chosen best = pair;
         for (Fitter.State rival : rivals) {
             Chosen other = new Chosen(rival, pair.price());
-            best = other.outweighs(refinement.heldOut(rival), best, refinement.heldOut(best.fit())) ? other : best;
+            best = isLikelier(other, best) ? other : best;
         }
         return best;
+    }
+
+    private boolean isLikelier(Chosen one, Chosen other) {
+        Refinement refinement = search.refinement();
+        int more = one.fit().candidate().knobs().size() - other.fit().candidate().knobs().size();
+        if (more == 0 || !claims(one).equals(claims(other))) {
+            return one.outweighs(refinement.heldOut(one.fit()), other, refinement.heldOut(other.fit()));
+        }
+        return more > 0 ? refinement.pays(one.fit(), other.fit(), more) : !refinement.pays(other.fit(), one.fit(), -more);
+    }
+
+    private static Set<String> claims(Chosen pair) {
+        return pair.fit().candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
@@ -56,7 +74,8 @@ public final class PairRivals {
         double[] x = Arrays.copyOf(pair.x(), left.knobs().size());
         PlacePairs.copy(other, pair, left, x);
         Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
-        return search.leaders(without, Effort.SECONDS, Whereabouts.among(evidence, left, Map.of(Place.plain(part, left), x))).stream()
-                .filter(fit -> !Search.extreme(fit));
+        Whereabouts there = Whereabouts.among(evidence, left, Map.of(Place.plain(part, left), x))
+                .only(hypothesis -> !hypothesis.claim().equals(part.claim()) || hypothesis.numbers().size() < part.numbers().size());
+        return search.leaders(without, Effort.SECONDS, there).stream().filter(fit -> !Search.extreme(fit));
     }
 }
