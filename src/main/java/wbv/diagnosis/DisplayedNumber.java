@@ -26,6 +26,10 @@ public record DisplayedNumber(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "wander_s", "cosine_s", "sine_s", "relaxation_s", "twitch_s");
 
+    /** What a key alone would tell wrongly: a ratio of 0.86 is no spring that is softer in compression, but one 86 % stiffer. */
+    private static final Map<String, DisplayedNumber> WHOLE = Map.of("compression_ratio",
+            new DisplayedNumber("stiffness added in compression", 100, "%"));
+
     private static final Map<String,
             String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
                     Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"),
@@ -43,6 +47,9 @@ public record DisplayedNumber(String label, double factor, String unit) {
         if (words > 0) {
             DisplayedNumber first = of(key.substring(0, words));
             return new DisplayedNumber(first.label() + key.substring(words), first.factor(), first.unit());
+        }
+        if (WHOLE.containsKey(key)) {
+            return WHOLE.get(key);
         }
         if (SHORT.contains(key)) {
             return new DisplayedNumber(label(key.substring(0, key.length() - 2)), 1e3, "ms");

@@ -14,6 +14,7 @@ class DisplayedNumberTest {
         assertEquals(new DisplayedNumber("cubic stiffness", 1, "N/m³"), DisplayedNumber.of("k3_N_per_m3"));
         assertEquals(new DisplayedNumber("stiffness of the stop", 1e-6, "MN/m^1.5"), DisplayedNumber.of("stop_N_per_m1_5"));
         assertEquals(new DisplayedNumber("time", 1, "s"), DisplayedNumber.of("time_s"));
+        assertEquals(new DisplayedNumber("stiffness added in compression", 100, "%"), DisplayedNumber.of("compression_ratio"));
         assertEquals(new DisplayedNumber("delay", 1e3, "ms"), DisplayedNumber.of("delay_s"));
         assertEquals(new DisplayedNumber("lever arm on platform.gyr.y", 1e3, "mm"), DisplayedNumber.of("lever_arm_m on platform.gyr.y"));
         assertEquals(new DisplayedNumber("stiffness change at 21.8 °C of oil.temp.s", 100, "%"),

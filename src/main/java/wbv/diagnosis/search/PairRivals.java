@@ -13,7 +13,7 @@ import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * What else either part of a pair may be. Each was found while whatever acts at the other's place was ignored, or on top of a first that had
+ * What else either part of a pair may be. Each was found while whatever acts at the other place was ignored, or on top of a first that had
  * bent the model to make up for what was missing still; which law it is, play or a stop, shows only beside the other.
  */
 public final class PairRivals {
@@ -22,7 +22,11 @@ public final class PairRivals {
     private final Search search;
     private final Fitter.State base;
 
-    /** @param base the model without any mechanism, fitted */
+    /**
+     * Of pairs that were found on this evidence.
+     *
+     * @param base the model without any mechanism, fitted
+     */
     public PairRivals(Evidence evidence, Search search, Fitter.State base) {
         this.evidence = evidence;
         this.search = search;
