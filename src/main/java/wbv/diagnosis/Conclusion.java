@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import wbv.body.law.Learned;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -48,15 +49,10 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
-        List<Fitter.State> all = new ArrayList<>(fits);
-        Chosen chosen = first;
-        if (first.fit().candidate().added().size() == 2) {
-            PairRivals others = new PairRivals(evidence, search, base);
-            List<Fitter.State> rivals = others.of(first.fit());
-            chosen = others.likeliest(first, rivals);
-            all.addAll(rivals);
-            all.add(first.fit());
-        }
+        PairRivals rivals = new PairRivals(evidence, search, base);
+        List<Fitter.State> pairs = rivals.with(first.fit());
+        Chosen chosen = rivals.likeliest(first, pairs);
+        List<Fitter.State> all = Stream.concat(fits.stream(), pairs.stream()).toList();
         inquiry.progress().accept("proving", 0.9);
         Standing standing = Standing.of(new Fits(evidence, inquiry.given(), base, chosen, all));
         double heldBefore = refinement.heldOut(base);

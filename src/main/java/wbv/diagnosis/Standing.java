@@ -78,16 +78,18 @@ final class Standing {
 
     /**
      * What is likelier than what was found, with data not used as well, and stands at no bound that nothing real has. Several together give
-     * way to one of them, and to another only where they are no part of the answer.
+     * way to as many others and to one of them alone, and to one that is none of them only where they are no part of the answer.
      */
     private Optional<Fitter.State> likelier() {
         int parts = best.candidate().added().size();
+        if (parts == 0) {
+            return Optional.empty();
+        }
         DecisionRule.Reading reading = reading();
-        boolean stays = reading.isUnknown() || reading.claims().contains(found());
-        Set<Claim> own = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
-        return weights.stream().takeWhile(weight -> !weight.claim().equals(found()))
-                .filter(weight -> weight.parts() > 0
-                        && (weight.parts() == parts || weight.parts() < parts && (!stays || own.contains(weight.claim()))))
+        boolean answered = reading.isUnknown() || reading.claims().contains(found());
+        Predicate<Weight> open = weight -> weight.parts() == parts
+                || weight.parts() == 1 && (!answered || isOwn(weight.fit().candidate().last()));
+        return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(open)
                 .filter(weight -> !Search.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
                 .map(Weight::fit).findFirst();
     }

@@ -34,22 +34,21 @@ public final class PairRivals {
     }
 
     /**
-     * The same pair with another mechanism in the place of one of its parts, or with a form of it that has fewer numbers, fitted; none that
-     * stands at a bound that nothing real has.
+     * A pair, and the same with another mechanism in the place of one of its parts, or with a form of it that has fewer numbers, fitted;
+     * none that stands at a bound that nothing real has. Nothing of what is no pair.
      */
-    public List<Fitter.State> of(Fitter.State pair) {
+    public List<Fitter.State> with(Fitter.State pair) {
         List<Hypothesis> parts = pair.candidate().added();
-        if (parts.size() != 2) {
-            throw new IllegalArgumentException("a pair has two parts and not " + parts.size());
-        }
-        return Stream.concat(inPlace(parts.get(0), parts.get(1), pair), inPlace(parts.get(1), parts.get(0), pair)).toList();
+        return parts.size() != 2 ? List.of()
+                : Stream.of(Stream.of(pair), inPlace(parts.get(0), parts.get(1), pair), inPlace(parts.get(1), parts.get(0), pair))
+                        .flatMap(fits -> fits).toList();
     }
 
     /**
      * The likeliest of a pair and its rivals by what they leave. What the choice of a second costs is the same for all; of two forms of the
      * same laws the one of more numbers has to pay for them.
      *
-     * @param rivals see {@link #of}. Not modified
+     * @param rivals see {@link #with}. Not modified
      */
     public Chosen likeliest(Chosen pair, List<Fitter.State> rivals) {
         Chosen best = pair;
