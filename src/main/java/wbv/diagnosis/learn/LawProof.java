@@ -102,8 +102,7 @@ public final class LawProof {
      */
     private boolean outweighs(Sentence sentence, Chosen name) {
         double price = sentence.words().price(sentence.terms()) - Math.log(evidence.library().mechanisms().size());
-        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name,
-                search.refinement().heldOut(name.fit()));
+        return search.refinement().outweighs(new Chosen(sentence.fit(), Math.max(0, price)), name);
     }
 
     /** Whether a fit leaves as little of what is missing without it as a law may, on data used and not used. */

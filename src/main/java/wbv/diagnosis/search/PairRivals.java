@@ -1,6 +1,5 @@
 package wbv.diagnosis.search;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -48,22 +47,18 @@ public final class PairRivals {
      * The likeliest of a pair and its rivals by what they leave. What the choice of a second costs is the same for all; of two forms of the
      * same laws the one of more numbers has to pay for them.
      *
-     * @param rivals see {@link #with}. Not modified
+     * @param fits the pair and its rivals, see {@link #with}; none where it is no pair. Not modified
      */
-    public Chosen likeliest(Chosen pair, List<Fitter.State> rivals) {
-        Chosen best = pair;
-        for (Fitter.State rival : rivals) {
-            Chosen other = new Chosen(rival, pair.price());
-            best = isLikelier(other, best) ? other : best;
-        }
-        return best;
+    public Chosen likeliest(Chosen pair, List<Fitter.State> fits) {
+        return fits.stream().map(fit -> new Chosen(fit, pair.price())).reduce((best, other) -> isLikelier(other, best) ? other : best)
+                .orElse(pair);
     }
 
     private boolean isLikelier(Chosen one, Chosen other) {
         Refinement refinement = search.refinement();
         int more = one.fit().candidate().knobs().size() - other.fit().candidate().knobs().size();
         if (more == 0 || !claims(one).equals(claims(other))) {
-            return one.outweighs(refinement.heldOut(one.fit()), other, refinement.heldOut(other.fit()));
+            return refinement.outweighs(one, other);
         }
         return more > 0 ? refinement.pays(one.fit(), other.fit(), more) : !refinement.pays(other.fit(), one.fit(), -more);
     }
@@ -74,8 +69,7 @@ public final class PairRivals {
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
         Candidate left = base.candidate().with(other);
-        double[] x = Arrays.copyOf(pair.x(), left.knobs().size());
-        PlacePairs.copy(other, pair, left, x);
+        double[] x = PlacePairs.without(pair, other, left);
         Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
         Whereabouts there = Whereabouts.among(evidence, left, Map.of(Place.plain(part, left), x))
                 .only(hypothesis -> !hypothesis.claim().equals(part.claim()) || hypothesis.numbers().size() < part.numbers().size());

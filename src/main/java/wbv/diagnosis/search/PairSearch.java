@@ -1,7 +1,6 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -79,7 +78,7 @@ public final class PairSearch {
         Set<Place> near = PlacePairs.near(places, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
         Optional<Chosen> apart = new PlacePairs(evidence, search, progress).pair(base, places, leaders)
                 .map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
-        if (apart.filter(pair -> outweighs(pair, Chosen.single(single))).isPresent()) {
+        if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
         double most = Math.min(single.reduced(), PlacePairs.reach(places, base));
@@ -107,16 +106,12 @@ public final class PairSearch {
     private Chosen likeliest(Fitter.State single, List<Chosen> pairs) {
         Chosen best = Chosen.single(single);
         for (Chosen pair : pairs) {
-            best = outweighs(pair, best) ? pair : best;
+            best = refinement.outweighs(pair, best) ? pair : best;
         }
         List<Hypothesis> parts = best.fit() == single ? List.of() : best.fit().candidate().added();
         Chosen pair = best;
-        return parts.stream().map(part -> Chosen.single(alone(part, pair.fit()))).filter(part -> !outweighs(pair, part))
+        return parts.stream().map(part -> Chosen.single(alone(part, pair.fit()))).filter(part -> !refinement.outweighs(pair, part))
                 .min(Comparator.comparingDouble(part -> part.fit().cost())).orElse(best);
-    }
-
-    private boolean outweighs(Chosen one, Chosen other) {
-        return one.outweighs(refinement.heldOut(one.fit()), other, refinement.heldOut(other.fit()));
     }
 
     /**
@@ -216,8 +211,6 @@ public final class PairSearch {
     /** A fit of one hypothesis of a pair without the other. */
     private Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
         Candidate one = base.candidate().with(hypothesis);
-        double[] x = Arrays.copyOf(pair.x(), one.knobs().size());
-        PlacePairs.copy(hypothesis, pair, one, x);
-        return refinement.polish(one, x);
+        return refinement.polish(one, PlacePairs.without(pair, hypothesis, one));
     }
 }

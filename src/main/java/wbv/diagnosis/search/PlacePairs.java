@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -189,11 +190,24 @@ final class PlacePairs {
     }
 
     /**
+     * The numbers of a pair without one of its parts.
+     *
+     * @param left hypothesis that stays
+     * @param alone the base with that alone
+     * @return coordinates [1], one a knob of it
+     */
+    static double[] without(Fitter.State pair, Hypothesis left, Candidate alone) {
+        double[] x = Arrays.copyOf(pair.x(), alone.knobs().size());
+        copy(left, pair, alone, x);
+        return x;
+    }
+
+    /**
      * Carries the numbers of a hypothesis over from a fit.
      *
      * @param x filled in
      */
-    static void copy(Hypothesis hypothesis, Fitter.State from, Candidate to, double[] x) {
+    private static void copy(Hypothesis hypothesis, Fitter.State from, Candidate to, double[] x) {
         int[] source = from.candidate().positions(hypothesis);
         int[] target = to.positions(hypothesis);
         for (int i = 0; i < source.length; i++) {

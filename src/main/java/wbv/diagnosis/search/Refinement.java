@@ -175,8 +175,12 @@ public final class Refinement {
      * @param more how many
      */
     public boolean pays(Fitter.State further, Fitter.State simpler, int more) {
-        return new Chosen(further, more * Calibration.standard().price()).outweighs(heldOut(further), Chosen.single(simpler),
-                heldOut(simpler));
+        return outweighs(new Chosen(further, more * Calibration.standard().price()), Chosen.single(simpler));
+    }
+
+    /** Whether one is likelier than the other by data fitted and not used, see {@link Chosen#outweighs}. */
+    public boolean outweighs(Chosen one, Chosen other) {
+        return one.outweighs(heldOut(one.fit()), other, heldOut(other.fit()));
     }
 
     /** χ² per number on the held-out window [1]. */
