@@ -68,7 +68,7 @@ class ReferenceTest {
     @Test
     void modelsThatAreShownAreRead() throws IOException {
         List<String> models = examples("model.md");
-        assertEquals(2, models.size());
+        assertEquals(3, models.size());
         models.forEach(model -> assertTrue(!ModelFile.parse(model, "model.md").bodies().isEmpty()));
     }
 

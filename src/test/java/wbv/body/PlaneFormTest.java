@@ -127,10 +127,10 @@ class PlaneFormTest {
     }
 
     @Test
-    void readsTheModelOfTheReadme() throws IOException {
-        String readme = Files.readString(Path.of("README.md"));
-        int begin = readme.indexOf("```json\n{\"name\": \"sitter on a shaker\"") + 8;
-        Model model = ModelFile.parse(readme.substring(begin, readme.indexOf("```", begin)), "README.md");
+    void readsTheModelOfTheReference() throws IOException {
+        String page = Files.readString(Path.of("docs/reference/model.md"));
+        int begin = page.indexOf("```json\n{\"name\": \"sitter on a shaker\"") + 8;
+        Model model = ModelFile.parse(page.substring(begin, page.indexOf("```", begin)), "model.md");
         assertEquals("trunk.pitch-head.pitch", model.links().get(5).name());
         assertEquals(57.2, model.mass(), 1e-12);
     }
