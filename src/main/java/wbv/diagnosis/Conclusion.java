@@ -49,7 +49,7 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
-        PairRivals rivals = new PairRivals(evidence, search, base);
+        PairRivals rivals = new PairRivals(evidence, search, base, inquiry.progress());
         List<Fitter.State> pairs = rivals.with(first.fit());
         Chosen chosen = rivals.likeliest(first, pairs);
         List<Fitter.State> all = Stream.concat(fits.stream(), pairs.stream()).toList();
@@ -127,7 +127,7 @@ final class Conclusion {
     private boolean isSimpler(Fitter.State other, Fitter.State best) {
         Hypothesis found = best.candidate().last();
         Hypothesis simpler = other.candidate().last();
-        int more = found.numbers().size() - simpler.numbers().size();
+        int more = found.free() - simpler.free();
         if (found.claim().equals(simpler.claim()) && more > 0) {
             return !refinement.pays(best, other, more);
         }

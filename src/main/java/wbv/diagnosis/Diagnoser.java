@@ -15,6 +15,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
+import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
@@ -188,8 +189,7 @@ public final class Diagnoser {
     }
 
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
-        // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
-        Fitter.State best = leaders.stream().findFirst().orElse(base);
+        Fitter.State best = leaders.stream().findFirst().orElse(base);   // what it leaves shows the person's own force
         Inquiry hearing = inquiry.hearingInput(best);
         return hearing == inquiry ? withForceLeft(leaders, best, where) : judged(hearing, leaders);
     }
@@ -219,6 +219,11 @@ public final class Diagnoser {
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {
+        List<Fitter.State> parts = new PairSearch(evidence, search, base, inquiry.progress()).parts();
+        return parts.isEmpty() ? oneByOne(where) : parts;
+    }
+
+    private List<Fitter.State> oneByOne(Whereabouts where) {
         List<Fitter.State> near = search.leaders(base, Effort.LEADERS, where);
         double unlisted = Calibration.unlisted(base.reduced() - 1);
         List<Fitter.State> all = new ArrayList<>(near);

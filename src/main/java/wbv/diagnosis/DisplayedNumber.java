@@ -36,7 +36,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
                     Map.entry("towards x", "tilt towards x"), Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"),
                     Map.entry("quadratic", "quadratic drift"),
                     Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"),
-                    Map.entry("column", "column of air"), Map.entry("kept share", "share of the stiffness kept"));
+                    Map.entry("column", "column of air"), Map.entry("reflex_N_per_m", "reflex to stretch"),
+                    Map.entry("reflex_Ns_per_m", "reflex to its speed"), Map.entry("kept share", "share of the stiffness kept"));
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
@@ -62,7 +63,8 @@ public record DisplayedNumber(String label, double factor, String unit) {
             if (key.endsWith(ending.getKey()) && key.length() > ending.getKey().length()) {
                 DisplayedNumber unit = ending.getValue();
                 int name = unit.unit().equals("%") ? key.length() : key.length() - ending.getKey().length();
-                return new DisplayedNumber(label(key.substring(0, name)), unit.factor(), unit.unit());
+                String label = LABELS.containsKey(key) ? LABELS.get(key) : label(key.substring(0, name));
+                return new DisplayedNumber(label, unit.factor(), unit.unit());
             }
         }
         return new DisplayedNumber(label(key), 1, "");

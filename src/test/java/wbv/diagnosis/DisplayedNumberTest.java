@@ -15,6 +15,8 @@ class DisplayedNumberTest {
         assertEquals(new DisplayedNumber("stiffness of the stop", 1e-6, "MN/m^1.5"), DisplayedNumber.of("stop_N_per_m1_5"));
         assertEquals(new DisplayedNumber("time", 1, "s"), DisplayedNumber.of("time_s"));
         assertEquals(new DisplayedNumber("stiffness added in compression", 100, "%"), DisplayedNumber.of("compression_ratio"));
+        assertEquals(new DisplayedNumber("reflex to stretch", 1e-3, "kN/m"), DisplayedNumber.of("reflex_N_per_m"));
+        assertEquals(new DisplayedNumber("reflex to its speed", 1, "N·s/m"), DisplayedNumber.of("reflex_Ns_per_m"));
         assertEquals(new DisplayedNumber("delay", 1e3, "ms"), DisplayedNumber.of("delay_s"));
         assertEquals(new DisplayedNumber("lever arm on platform.gyr.y", 1e3, "mm"), DisplayedNumber.of("lever_arm_m on platform.gyr.y"));
         assertEquals(new DisplayedNumber("stiffness change at 21.8 °C of oil.temp.s", 100, "%"),

@@ -81,6 +81,9 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
      */
     public record Number(String key, double unit, double low, double high, double nothing) {
 
+        /** Room of a number that is held, in its unit of steps: none that could be told. */
+        private static final double HELD = 1e-6;
+
         /**
          * Nothing at 0.
          *
@@ -109,6 +112,20 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
          */
         public static Number sum(double unit, double low, double high) {
             return new Number("", unit, low, high);
+        }
+
+        /**
+         * One that a form of a law has not: it is 0. Named by the law that it belongs to.
+         *
+         * @param unit of the number, &gt; 0
+         */
+        public static Number none(double unit) {
+            return new Number("", unit, 0, HELD * unit);
+        }
+
+        /** Whether it has room to move. */
+        public boolean isFree() {
+            return unit == 0 || high - low > HELD * unit;
         }
 
         /** The same number of an amplitude that does nothing at another value. */
@@ -206,6 +223,11 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
     /** Word of the vocabulary. */
     public String mechanism() {
         return kind.word();
+    }
+
+    /** How many numbers a fit finds. */
+    public int free() {
+        return (int) numbers.stream().filter(Number::isFree).count();
     }
 
     /** {@code mechanism@where}, with the form if it has one. */

@@ -42,7 +42,8 @@ public sealed interface Mechanism
      * @param numbers those of a hypothesis of its
      */
     default List<Told> told(List<Hypothesis.Number> numbers) {
-        return IntStream.range(0, numbers.size()).mapToObj(i -> Told.plain(numbers.get(i).key(), i)).toList();
+        return IntStream.range(0, numbers.size()).filter(i -> numbers.get(i).isFree()).mapToObj(i -> Told.plain(numbers.get(i).key(), i))
+                .toList();
     }
 
     /** The same of a hypothesis whose numbers need more than their keys. */

@@ -35,7 +35,13 @@ final class FurtherForm {
             // A number more may do nothing by itself and much with a second.
             from = from.stream().flatMap(this::forms).toList();
             Fitter.State simpler = out.isEmpty() ? fit : out.get(out.size() - 1);
-            from.stream().filter(other -> pays(other, simpler)).forEach(out::add);
+            for (Fitter.State other : from) {
+                List<Fitter.State> shorter = shorter(other);
+                out.addAll(shorter);
+                if (pays(other, simpler) && shorter.stream().allMatch(without -> refinement.pays(other, without, more(other, without)))) {
+                    out.add(other);
+                }
+            }
         }
         return out;
     }
@@ -52,13 +58,34 @@ final class FurtherForm {
     }
 
     /**
+     * The forms of the same law that do without one of a form's numbers, begun where that stands, polished: of a command by stretch and one
+     * by its speed either may be all there is, and from far off no step leads to it.
+     */
+    private List<Fitter.State> shorter(Fitter.State further) {
+        Hypothesis found = further.candidate().last();
+        return all.stream()
+                .filter(form -> form.claim().equals(found.claim()) && form.free() < found.free() && keys(form).equals(keys(found)))
+                .flatMap(form -> refinement.polished(base.candidate(), form, numbers(further), further.frame(), List.of(values(further)))
+                        .stream())
+                .toList();
+    }
+
+    private static List<String> keys(Hypothesis form) {
+        return form.numbers().stream().map(Hypothesis.Number::key).toList();
+    }
+
+    private static int more(Fitter.State further, Fitter.State simpler) {
+        return further.candidate().last().free() - simpler.candidate().last().free();
+    }
+
+    /**
      * Whether the numbers more are worth their price beside the simpler form, fitted on the same noise from where the further one stands.
      */
     private boolean pays(Fitter.State further, Fitter.State simpler) {
         double[] found = values(simpler);
         Fitter.State without = refinement.fitted(base.candidate(), simpler.candidate().last(), numbers(further), further.frame(),
                 List.of(found, Arrays.copyOf(values(further), found.length)));
-        return without.failed() || refinement.pays(further, without, values(further).length - found.length);
+        return without.failed() || refinement.pays(further, without, more(further, simpler));
     }
 
     /** Coordinates of what the mechanism stands on [1], one a knob. */

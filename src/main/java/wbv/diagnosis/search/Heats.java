@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
@@ -41,7 +42,7 @@ final class Heats {
         boolean second = !base.candidate().added().isEmpty() && base.reduced() < Priors.GLARING;
         List<Screening.Score> chosen = new Shortlist(evidence).of(base, scores, second);
         boolean bent = Refinement.bent(base);
-        Function<Hypothesis, List<double[]>> from = from(base, where, bent);
+        Function<Hypothesis, double[]> from = from(base, where, bent);
         Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
         List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from, false);
@@ -57,7 +58,7 @@ final class Heats {
         finalists += promised(heat, finalists, chosen) ? 1 : 0;
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
-        all.addAll(Parallel.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
+        all.addAll(Parallel.map(rest(heat, finalists), trial -> trial.on(whole)));
         return Trial.sorted(all).stream().filter(fit -> !fit.failed()).toList();
     }
 
@@ -78,9 +79,9 @@ final class Heats {
         return false;
     }
 
-    /** Numbers of the model to start from. */
-    private static Function<Hypothesis, List<double[]>> from(Fitter.State base, Whereabouts where, boolean bent) {
-        return h -> bent ? List.of(base.x(), where.unbent(h).orElseGet(base.candidate()::start)) : List.of(base.x());
+    /** Numbers of the model to start from: as fitted, or where these are bent as they fit beside whatever enters there. */
+    private static Function<Hypothesis, double[]> from(Fitter.State base, Whereabouts where, boolean bent) {
+        return h -> bent ? where.unbent(h).orElseGet(base.candidate()::start) : base.x();
     }
 
     /**
@@ -97,7 +98,7 @@ final class Heats {
      * @param bent whether what they stand on makes up for them
      */
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
-            Function<Hypothesis, List<double[]>> from, boolean bent) {
+            Function<Hypothesis, double[]> from, boolean bent) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
@@ -134,6 +135,26 @@ final class Heats {
         double reach = heat.isEmpty() ? 0 : Effort.HOPELESS * heat.get(0).excess();
         int near = (int) heat.stream().takeWhile(trial -> trial.excess() <= reach).count();
         return Math.min(Math.min(most, heat.size()), Math.max(Effort.SECONDS, near));
+    }
+
+    /**
+     * Those behind the finalists that are not given up, and if all of these have the leader's name the first by another: how far behind
+     * that is says what the name is worth. The others are no rivals, wherever they would stand on all data.
+     *
+     * @param heat least cost first
+     */
+    private static List<Trial> rest(List<Trial> heat, int finalists) {
+        int open = Math.max(finalists, near(heat, heat.size()));
+        List<Trial> out = new ArrayList<>(heat.subList(finalists, open));
+        Predicate<Trial> other = trial -> !claim(trial).equals(claim(heat.get(0)));
+        if (heat.subList(0, open).stream().noneMatch(other)) {
+            heat.stream().filter(other).findFirst().ifPresent(out::add);
+        }
+        return out;
+    }
+
+    private static String claim(Trial trial) {
+        return trial.first().candidate().last().claim();
     }
 
     /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */

@@ -1,13 +1,15 @@
 package wbv.diagnosis.search;
 
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -20,16 +22,19 @@ public final class PairRivals {
     private final Evidence evidence;
     private final Search search;
     private final Fitter.State base;
+    private final BiConsumer<String, Double> progress;
 
     /**
      * Of pairs that were found on this evidence.
      *
      * @param base the model without any mechanism, fitted
+     * @param progress told the step and the share of it that is done
      */
-    public PairRivals(Evidence evidence, Search search, Fitter.State base) {
+    public PairRivals(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.search = search;
         this.base = base;
+        this.progress = progress;
     }
 
     /**
@@ -50,29 +55,51 @@ public final class PairRivals {
      * @param fits the pair and its rivals, see {@link #with}; none where it is no pair. Not modified
      */
     public Chosen likeliest(Chosen pair, List<Fitter.State> fits) {
-        return fits.stream().map(fit -> new Chosen(fit, pair.price())).reduce((best, other) -> isLikelier(other, best) ? other : best)
+        Calibration calibration = Calibration.standard();
+        double least = fits.stream().mapToDouble(Fitter.State::reduced).min().orElse(Double.POSITIVE_INFINITY);
+        double open = calibration.evidence(least, least) - Effort.NEGLIGIBLE;
+        List<Fitter.State> near = fits.stream().filter(fit -> calibration.evidence(fit.reduced(), least) > open).toList();
+        Parallel.map(near, search.refinement()::heldOut);   // each is asked for below
+        return near.stream().map(fit -> new Chosen(fit, pair.price())).reduce((best, other) -> isLikelier(other, best) ? other : best)
                 .orElse(pair);
     }
 
     private boolean isLikelier(Chosen one, Chosen other) {
         Refinement refinement = search.refinement();
-        int more = one.fit().candidate().knobs().size() - other.fit().candidate().knobs().size();
+        int more = free(one) - free(other);
         if (more == 0 || !claims(one).equals(claims(other))) {
             return refinement.outweighs(one, other);
         }
         return more > 0 ? refinement.pays(one.fit(), other.fit(), more) : !refinement.pays(other.fit(), one.fit(), -more);
     }
 
+    private static int free(Chosen pair) {
+        return pair.fit().candidate().added().stream().mapToInt(Hypothesis::free).sum();
+    }
+
     private static Set<String> claims(Chosen pair) {
         return pair.fit().candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
+    /** Those that show about as well at the part's place while the other's is ignored: no others can be its rivals. */
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
         Candidate left = base.candidate().with(other);
         double[] x = PlacePairs.without(pair, other, left);
-        Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
-        Whereabouts there = Whereabouts.among(evidence, left, Map.of(Place.plain(part, left), x))
-                .only(hypothesis -> !hypothesis.claim().equals(part.claim()) || hypothesis.numbers().size() < part.numbers().size());
-        return search.leaders(without, Effort.SECONDS, there).stream().filter(fit -> !Search.extreme(fit));
+        List<Fitter.State> shown = new ShownBeside(evidence, base, progress)
+                .at(Place.plain(other, left), Place.plain(part, left), Arrays.copyOf(x, base.x().length)).fits();
+        double near = shown.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(shown.get(0).reduced());
+        List<Fitter.State> rivals = shown.stream().filter(fit -> fit.reduced() <= near && !Search.extreme(fit))
+                .filter(fit -> isOther(fit.candidate().last(), part)).limit(Effort.CONTENDERS).toList();
+        List<Fitter.State> begun = Trial.sorted(Parallel.map(rivals, fit -> {
+            Candidate both = left.with(fit.candidate().last());
+            return search.refinement().begun(both, PlacePairs.with(fit, x, both));
+        }));
+        return Parallel.map(begun.stream().filter(fit -> !fit.failed()).limit(Effort.SECONDS).toList(), search.refinement()::polish)
+                .stream()
+                .filter(fit -> !fit.failed() && !Search.extreme(fit));
+    }
+
+    private static boolean isOther(Hypothesis rival, Hypothesis part) {
+        return !rival.claim().equals(part.claim()) || rival.free() < part.free();
     }
 }

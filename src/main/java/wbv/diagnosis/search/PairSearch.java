@@ -32,11 +32,11 @@ public final class PairSearch {
     public static final double QUIET = Refinement.excess(1);
 
     private final Evidence evidence;
-    private final BiConsumer<String, Double> progress;
     private final Search search;
     private final Refinement refinement;
     private final Fitter.State base;
     private final List<Hypothesis> all;
+    private final TwoPlaces places;
 
     /**
      * Lists the hypotheses; nothing is simulated but the base.
@@ -45,10 +45,10 @@ public final class PairSearch {
      */
     public PairSearch(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
-        this.progress = progress;
         this.search = search;
         this.refinement = search.refinement();
         this.base = base;
+        this.places = new TwoPlaces(evidence, search, base, progress);
         this.all = evidence.library()
                 .hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
     }
@@ -63,28 +63,49 @@ public final class PairSearch {
             return likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true));
         }
         Place own = Place.ofLast(single);
-        Looked looked = looked(own);
-        if (Refinement.explained(base, single) < Priors.MAJORITY && atOnePlace(looked.singles().get(0))) {
+        TwoPlaces.Looked looked = places.looked(own);
+        if (Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0))) {
             return Chosen.single(single);   // and no mechanism is near it
         }
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
-        List<Known.Ignoring> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
-        if (alone <= QUIET || needless(own, alone, places)) {
-            // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
-            return single.candidate().last().isLaw() ? Chosen.single(single)
-                    : likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own)));
+        List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
+        if (alone <= QUIET || TwoPlaces.needless(own, alone, pairs)) {
+            // What a law leaves there to another law is its form.
+            boolean law = single.candidate().last().isLaw();
+            return likeliest(single, oneByOne(single, List.of(single),
+                    first -> hypothesis -> place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
         }
-        Set<Place> near = PlacePairs.near(places, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
-        Optional<Chosen> apart = new PlacePairs(evidence, search, progress).pair(base, places, leaders)
+        Set<Place> near = PlacePairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
+        Optional<Chosen> apart = places.pair(pairs, leaders)
                 .map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
         if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
-        double most = Math.min(single.reduced(), PlacePairs.reach(places, base));
-        List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, places, most)));
+        double most = Math.min(single.reduced(), PlacePairs.reach(pairs, base));
+        List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, pairs, most)));
         apart.ifPresent(proposals::add);
         return likeliest(single, proposals);
+    }
+
+    /**
+     * The parts of a pair by themselves, least first, where no one place will do, and two do with far less left: then no mechanism by
+     * itself need be sought. None where that is not so.
+     */
+    public List<Fitter.State> parts() {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return List.of();
+        }
+        Place first = places.likeliest();
+        TwoPlaces.Looked looked = places.looked(first);
+        double alone = Refinement.excess(Locator.left(looked.singles(), first));
+        List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
+        if (pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs)) {
+            return List.of();
+        }
+        double any = Refinement.excess(new Locator(evidence, base.candidate()).left(first, base.x()));
+        return places.pair(pairs, List.of()).filter(pair -> Effort.BEHIND * Refinement.excess(pair.reduced()) < any)
+                .map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList())).orElse(List.of());
     }
 
     /** The likelier of a single mechanism and one with a second that was sought at some places alone. */
@@ -112,40 +133,6 @@ public final class PairSearch {
         Chosen pair = best;
         return parts.stream().map(part -> Chosen.single(alone(part, pair.fit()))).filter(part -> !refinement.outweighs(pair, part))
                 .min(Comparator.comparingDouble(part -> part.fit().cost())).orElse(best);
-    }
-
-    /**
-     * Whether a second place explains little beside one.
-     *
-     * @param alone excess where the one is ignored
-     * @param pairs on the same data
-     */
-    private static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
-        List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
-        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > Priors.MAJORITY * alone);
-    }
-
-    /**
-     * Whether nearly all that is missing enters at a place.
-     *
-     * @param best as a part of the data may show it
-     */
-    private boolean atOnePlace(Known.Ignoring best) {
-        double most = Math.max(QUIET, Priors.FORM * Refinement.excess(base.reduced()));
-        return Refinement.excess(best.reduced()) <= most
-                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
-    }
-
-    /** Places one by one, best first, as some data show them. */
-    private record Looked(Locator locator, List<Known.Ignoring> singles) {}
-
-    /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
-    private Looked looked(Place own) {
-        Locator whole = new Locator(evidence, base.candidate());
-        return evidence.brief().map(part -> new Locator(part, base.candidate())).map(part -> new Looked(part, part.singles(base.x())))
-                .filter(part -> Refinement.excess(whole.left(own, base.x()))
-                        < Effort.ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
-                .orElseGet(() -> new Looked(whole, whole.singles(base.x())));
     }
 
     /**

@@ -122,18 +122,10 @@ final class PlacePairs {
      * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
      */
     private List<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
-        Candidate baseline = base.candidate();
-        Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.base(baseline, places.values().iterator().next());
-        if (without.reduced() < Priors.SILENT) {
-            return List.of();
-        }
-        Map<Place, double[]> given = new LinkedHashMap<>();
-        places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
-        List<Fitter.State> fits = blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given));
+        ShownBeside.Shown all = new ShownBeside(evidence, base, progress).among(ignored, places);
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        List<Fitter.State> shown = fits.stream()
-                .filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > Priors.MAJORITY)
+        List<Fitter.State> shown = all.fits().stream()
+                .filter(fit -> !Search.extreme(fit) && Refinement.explained(all.without(), fit) > Priors.MAJORITY)
                 .toList();
         Set<String> mechanisms = new HashSet<>();
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
@@ -200,6 +192,18 @@ final class PlacePairs {
         double[] x = Arrays.copyOf(pair.x(), alone.knobs().size());
         copy(left, pair, alone, x);
         return x;
+    }
+
+    /**
+     * Numbers of a pair: those without its last part, and that part's as a fit has them.
+     *
+     * @param x coordinates without it [1], one a knob. Not modified.
+     * @return coordinates [1], one a knob of the pair
+     */
+    static double[] with(Fitter.State last, double[] x, Candidate pair) {
+        double[] out = Arrays.copyOf(x, pair.knobs().size());
+        copy(last.candidate().last(), last, pair, out);
+        return out;
     }
 
     /**

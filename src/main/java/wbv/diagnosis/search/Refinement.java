@@ -185,6 +185,14 @@ public final class Refinement {
 
     /** χ² per number on the held-out window [1]. */
     public double heldOut(Fitter.State fit) {
-        return new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced();
+        return evidence.known().once(new Unused(fit.candidate(), fit.x()), Double.class,
+                () -> new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced());
     }
+
+    /**
+     * What a fit leaves of data not used is asked.
+     *
+     * @param x coordinates of the fit [1], one a knob; the same where it is the same array
+     */
+    private record Unused(Candidate candidate, double[] x) {}
 }

@@ -36,10 +36,10 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      * The most promising starts of a hypothesis, and a few steps from each; those that are far behind are dropped.
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
-     * @param most starts that are begun from each of them
-     * @param strong values of the hypothesis, in their units, of which the best is begun as well, from the last of those numbers
+     * @param most starts that are begun
+     * @param strong values of the hypothesis, in their units, of which the best is begun as well
      */
-    static Trial begun(Ground ground, Screening.Score score, List<double[]> from, int most, List<double[]> strong) {
+    static Trial begun(Ground ground, Screening.Score score, double[] from, int most, List<double[]> strong) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
@@ -52,9 +52,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         }
         List<double[]> large = strong.stream().map(values -> base.candidate().extended(base.x(), with, score.hypothesis(), values))
                 .toList();
-        List<Fitter.State> begun = sorted(Stream.concat(
-                from.stream().flatMap(numbers -> begun(ground, score, starts, numbers, most, Arrays.equals(numbers, base.x()))),
-                large.isEmpty() ? Stream.of() : begun(ground, score, large, from.get(from.size() - 1), 1, false)).toList());
+        List<Fitter.State> begun = sorted(Stream.concat(begun(ground, score, starts, from, most, Arrays.equals(from, base.x())),
+                large.isEmpty() ? Stream.of() : begun(ground, score, large, from, 1, false)).toList());
         return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 

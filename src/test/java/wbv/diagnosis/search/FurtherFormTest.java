@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
 import wbv.body.law.BristleFriction;
+import wbv.body.law.Reflex;
 import wbv.body.law.Saturation.PartialSaturation;
 import wbv.body.number.Numbers;
 import wbv.diagnosis.fit.Augmented;
@@ -75,6 +77,27 @@ class FurtherFormTest {
         BristleFriction found = assertInstanceOf(BristleFriction.class, best.candidate().at(best.x()).laws().get(0).law());
         assertEquals(truth.friction(), found.friction(), 0.1 * truth.friction());
         assertEquals(truth.bristle(), found.bristle(), 0.2 * truth.bristle());
+    }
+
+    /**
+     * Stretch and speed together are one lead, a reflex of either alone one of another delay: what is not there is not told. Commands
+     * [N/m, N s/m], delay [s].
+     */
+    @ParameterizedTest
+    @CsvSource({"15000, 0, 0.073, stretch", "0, 500, 0.11, speed", "12000, 500, 0.09, ''"})
+    void aReflexIsToldByWhatItFollows(double stretch, double speed, double delay, String form) {
+        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(new Reflex(stretch, speed, delay)));
+        Search search = new Search(evidence, (step, share) -> {});
+        List<Fitter.State> fits = search.leaders(search.base(Baseline.of(evidence)), 2,
+                Whereabouts.anywhere(evidence, Baseline.of(evidence)).only(hypothesis -> hypothesis.where().equals("platform-torso")
+                        && hypothesis.mechanism().equals("muscle.reflex")));
+        Fitter.State told = fits.stream().filter(fit -> fit.reduced() < Priors.LOUD)
+                .min(Comparator.comparingInt(fit -> fit.candidate().last().free())).orElseThrow();
+        assertEquals(form, told.candidate().last().form());
+        Reflex found = assertInstanceOf(Reflex.class, told.candidate().at(told.x()).laws().get(0).law());
+        assertEquals(delay, found.delay(), 0.003);
+        assertEquals(stretch, found.stiffness(), 1 + 0.15 * stretch);
+        assertEquals(speed, found.damping(), 1 + 0.2 * speed);
     }
 
     private static Model.HiddenMode found(double cubic) {

@@ -1,0 +1,105 @@
+package wbv.diagnosis.search;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
+
+/**
+ * Whether what a model lacks enters at one place or at two, and what a pair of mechanisms at two of them explains. What was looked at is kept
+ * with the evidence.
+ */
+final class TwoPlaces {
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Fitter.State base;
+    private final BiConsumer<String, Double> progress;
+
+    /**
+     * Of what is missing beside a fit.
+     *
+     * @param base the model without any mechanism
+     */
+    TwoPlaces(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.search = search;
+        this.base = base;
+        this.progress = progress;
+    }
+
+    /** Places one by one, best first, as some data show them. */
+    record Looked(Locator locator, List<Known.Ignoring> singles) {}
+
+    private record Apart(List<Known.Ignoring> places) {}
+
+    private record Pair(Optional<Fitter.State> fit) {}
+
+    private record Beside(List<Known.Ignoring> singles) {}
+
+    /** Where all that is missing enters most likely, if it does at one place. */
+    Place likeliest() {
+        return seen().singles().get(0).places().get(0);
+    }
+
+    /**
+     * On a part of the data where that shows beside a place as much as all of them do; else on all.
+     *
+     * @param own the place
+     */
+    Looked looked(Place own) {
+        Locator whole = new Locator(evidence, base.candidate());
+        return Optional.of(seen())
+                .filter(part -> Refinement.excess(whole.left(own, base.x()))
+                        < Effort.ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
+                .orElseGet(() -> new Looked(whole, whole.singles(base.x())));
+    }
+
+    /** On a part of the data where there is one. */
+    private Looked seen() {
+        Locator locator = new Locator(evidence.brief().orElse(evidence), base.candidate());
+        return new Looked(locator, locator.singles(base.x()));
+    }
+
+    /** Pairs of places, best first. */
+    List<Known.Ignoring> pairs(Looked looked) {
+        return evidence.known().once(new Beside(looked.singles()), Apart.class, () -> new Apart(looked.locator().pairs(looked.singles())))
+                .places();
+    }
+
+    /**
+     * The pair of mechanisms that {@link PlacePairs} finds.
+     *
+     * @param places pairs of them, best first
+     * @param leaders single hypotheses fitted with nothing ignored, if any were
+     */
+    Optional<Fitter.State> pair(List<Known.Ignoring> places, List<Fitter.State> leaders) {
+        return evidence.known().once(new Apart(places), Pair.class,
+                () -> new Pair(new PlacePairs(evidence, search, progress).pair(base, places, leaders))).fit();
+    }
+
+    /**
+     * Whether a second place explains little beside one.
+     *
+     * @param alone excess where the one is ignored
+     * @param pairs on the same data
+     */
+    static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
+        List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
+        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > Priors.MAJORITY * alone);
+    }
+
+    /**
+     * Whether nearly all that is missing enters at a place.
+     *
+     * @param best as a part of the data may show it
+     */
+    boolean atOne(Known.Ignoring best) {
+        double most = Math.max(PairSearch.QUIET, Priors.FORM * Refinement.excess(base.reduced()));
+        return Refinement.excess(best.reduced()) <= most
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
+    }
+}
