@@ -16,8 +16,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
- * A force that follows deflection, velocity or both late, as that of a stretch reflex does; and one that a muscle makes of it, which answers
- * slowly and pulls one way only. None on a rig.
+ * A force that follows deflection, velocity or both late, as that of a stretch reflex does; and one that a muscle makes of it, which
+ * answers slowly and pulls one way only. None on a rig.
  */
 record StretchReflex() implements Mechanism {
 

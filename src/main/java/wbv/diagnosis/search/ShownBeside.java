@@ -10,8 +10,8 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Place;
 
 /**
- * Which mechanisms show at a place while whatever enters at another is ignored. No mechanism at that other place can leave less than is left
- * so: what is far behind here is no rival beside any. What was sought is kept with the evidence.
+ * Which mechanisms show at a place while whatever enters at another is ignored. No mechanism at that other place can leave less than is
+ * left so: what is far behind here is no rival beside any. What was sought is kept with the evidence.
  */
 final class ShownBeside {
 

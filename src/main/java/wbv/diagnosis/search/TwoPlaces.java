@@ -9,8 +9,8 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
 
 /**
- * Whether what a model lacks enters at one place or at two, and what a pair of mechanisms at two of them explains. What was looked at is kept
- * with the evidence.
+ * Whether what a model lacks enters at one place or at two, and what a pair of mechanisms at two of them explains. What was looked at is
+ * kept with the evidence.
  */
 final class TwoPlaces {
 
