@@ -64,17 +64,14 @@ public final class PairSearch {
         }
         Place own = Place.ofLast(single);
         TwoPlaces.Looked looked = places.looked(own);
-        if (Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0))) {
-            return Chosen.single(single);   // and no mechanism is near it
-        }
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
-        // Where nothing more than noise is left beside a place no pair of places leaves less.
-        List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
-        if (alone <= QUIET || TwoPlaces.needless(own, alone, pairs)) {
-            // What a law leaves there to another law is its form.
-            boolean law = single.candidate().last().isLaw();
-            return likeliest(single, oneByOne(single, List.of(single),
-                    first -> hypothesis -> place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
+        // Where nothing more than noise is left beside a place no pair of places leaves less; nor need one be asked for where all enters at
+        // one, whatever mechanism that is.
+        boolean one = alone <= QUIET
+                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0)) && atTwo().isEmpty();
+        List<Known.Ignoring> pairs = one ? List.of() : places.pairs(looked);
+        if (one || TwoPlaces.needless(own, alone, pairs)) {
+            return beside(single);
         }
         Set<Place> near = PlacePairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
         Optional<Chosen> apart = places.pair(pairs, leaders)
@@ -88,24 +85,35 @@ public final class PairSearch {
         return likeliest(single, proposals);
     }
 
+    /** The likelier of a single mechanism and one with a second at its own place: what a law leaves to another law is its form. */
+    private Chosen beside(Fitter.State single) {
+        Place own = Place.ofLast(single);
+        boolean law = single.candidate().last().isLaw();
+        return likeliest(single,
+                oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
+    }
+
     /**
-     * The parts of a pair by themselves, least first, where no one place will do, and two do with far less left: then no mechanism by
-     * itself need be sought. None where that is not so.
+     * The parts by themselves, least first, of a pair at two places where no one place will do: then no mechanism by itself need be
+     * sought. None where that is not so.
      */
     public List<Fitter.State> parts() {
+        return atTwo().map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList()))
+                .orElse(List.of());
+    }
+
+    /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
+    private Optional<Fitter.State> atTwo() {
         if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
-            return List.of();
+            return Optional.empty();
         }
         Place first = places.likeliest();
         TwoPlaces.Looked looked = places.looked(first);
         double alone = Refinement.excess(Locator.left(looked.singles(), first));
         List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
-        if (pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs)) {
-            return List.of();
-        }
         double any = Refinement.excess(new Locator(evidence, base.candidate()).left(first, base.x()));
-        return places.pair(pairs, List.of()).filter(pair -> Effort.BEHIND * Refinement.excess(pair.reduced()) < any)
-                .map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList())).orElse(List.of());
+        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty()
+                : places.pair(pairs, List.of()).filter(pair -> Effort.BEHIND * Refinement.excess(pair.reduced()) < any);
     }
 
     /** The likelier of a single mechanism and one with a second that was sought at some places alone. */

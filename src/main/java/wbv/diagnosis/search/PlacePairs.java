@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -50,7 +51,7 @@ final class PlacePairs {
         for (Beside beside : besides(base, near, good)) {
             Place other = Place.ofLast(beside.seconds().get(0));
             if ((found.isEmpty() || found.get(0).reduced() >= good) && tried.add(Set.copyOf(List.of(beside.ignored(), other)))) {
-                found.addAll(joined(base, shown(base, other, partners(other, near)), beside.seconds(), leaders));
+                found.addAll(joined(base, firsts(base, other, beside.ignored(), near), beside.seconds(), leaders));
                 if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
                     onTop(beside.seconds().get(0), beside.ignored()).ifPresent(found::add);
                 }
@@ -83,13 +84,17 @@ final class PlacePairs {
         List<Beside> out = new ArrayList<>();
         for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(Effort.PLACES).toList()) {
             if (out.stream().noneMatch(beside -> beside.left() < good)) {
-                List<Fitter.State> seconds = shown(base, one, partners(one, near));
-                if (!seconds.isEmpty()) {
-                    out.add(new Beside(one, seconds));
-                }
+                shown(base, one, partners(one, near)).forEach(seconds -> out.add(new Beside(one, seconds)));
             }
         }
-        return out.stream().sorted(Comparator.comparingDouble(Beside::left)).limit(Effort.SECONDS).toList();
+        return out.stream().sorted(Comparator.comparingDouble(Beside::left)).limit(Effort.PLACES).toList();
+    }
+
+    /** What shows where one place is ignored: best of all, and at the other. */
+    private List<Fitter.State> firsts(Fitter.State base, Place ignored, Place at, List<Known.Ignoring> near) {
+        List<List<Fitter.State>> shown = shown(base, ignored, partners(ignored, near));
+        return IntStream.range(0, shown.size()).filter(i -> i == 0 || Place.ofLast(shown.get(i).get(0)).equals(at)).mapToObj(shown::get)
+                .flatMap(List::stream).toList();
     }
 
     /** Pairs of places that leave about as little as the best. */
@@ -117,20 +122,28 @@ final class PlacePairs {
     }
 
     /**
-     * The best mechanism that shows where a place is ignored, and others at its place that explain about as much.
+     * The best mechanism that shows where a place is ignored, and others at its place that explain about as much; the same at other places
+     * where as little is left: beside a link's force that is ignored, one on either of its ends does the same.
      *
      * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
+     * @return by place, none of them empty
      */
-    private List<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
+    private List<List<Fitter.State>> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
         ShownBeside.Shown all = new ShownBeside(evidence, base, progress).among(ignored, places);
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
         List<Fitter.State> shown = all.fits().stream()
                 .filter(fit -> !Search.extreme(fit) && Refinement.explained(all.without(), fit) > Priors.MAJORITY)
                 .toList();
-        Set<String> mechanisms = new HashSet<>();
-        return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
-                && Refinement.excess(fit.reduced()) < Effort.ALIKE * Refinement.excess(shown.get(0).reduced())
-                && mechanisms.add(fit.candidate().last().mechanism())).limit(Effort.SECONDS).toList();
+        Map<Place, List<Fitter.State>> out = new LinkedHashMap<>();
+        Set<String> claims = new HashSet<>();
+        shown.stream().filter(fit -> Refinement.excess(fit.reduced()) < Effort.ALIKE * Refinement.excess(shown.get(0).reduced())
+                && claims.add(fit.candidate().last().claim())).forEach(fit -> {
+                    List<Fitter.State> there = out.computeIfAbsent(Place.ofLast(fit), place -> new ArrayList<>());
+                    if (there.size() < Effort.SECONDS) {
+                        there.add(fit);
+                    }
+                });
+        return List.copyOf(out.values());
     }
 
     /**
