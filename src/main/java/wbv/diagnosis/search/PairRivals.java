@@ -2,6 +2,7 @@ package wbv.diagnosis.search;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
@@ -81,12 +82,24 @@ public final class PairRivals {
         return pair.fit().candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
-    /** Those that show about as well at the part's place while the other's is ignored: no others can be its rivals. */
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
         Candidate left = base.candidate().with(other);
         double[] x = PlacePairs.without(pair, other, left);
-        List<Fitter.State> shown = new ShownBeside(evidence, base, progress)
-                .at(Place.plain(other, left), Place.plain(part, left), Arrays.copyOf(x, base.x().length)).fits();
+        Place there = Place.plain(part, left);
+        Place ignored = Place.plain(other, left);
+        return (there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, ignored, part))
+                .filter(fit -> !fit.failed() && !Search.extreme(fit));
+    }
+
+    /** Of two at one place: whatever is sought there beside the other. */
+    private Stream<Fitter.State> beside(Candidate left, double[] x, Place there, Hypothesis part, Fitter.State pair) {
+        return search.leaders(search.fitter().lookWithSlopes(left, x, pair.frame()), Effort.SECONDS,
+                Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> isOther(rival, part))).stream();
+    }
+
+    /** Of two apart: those that show about as well at the part's place while the other's is ignored. No others can be its rivals. */
+    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Place ignored, Hypothesis part) {
+        List<Fitter.State> shown = new ShownBeside(evidence, base, progress).at(ignored, there, Arrays.copyOf(x, base.x().length)).fits();
         double near = shown.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(shown.get(0).reduced());
         List<Fitter.State> rivals = shown.stream().filter(fit -> fit.reduced() <= near && !Search.extreme(fit))
                 .filter(fit -> isOther(fit.candidate().last(), part)).limit(Effort.CONTENDERS).toList();
@@ -95,8 +108,7 @@ public final class PairRivals {
             return search.refinement().begun(both, PlacePairs.with(fit, x, both));
         }));
         return Parallel.map(begun.stream().filter(fit -> !fit.failed()).limit(Effort.SECONDS).toList(), search.refinement()::polish)
-                .stream()
-                .filter(fit -> !fit.failed() && !Search.extreme(fit));
+                .stream();
     }
 
     private static boolean isOther(Hypothesis rival, Hypothesis part) {
