@@ -19,6 +19,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.mechanism.Scene;
+import wbv.diagnosis.mechanism.Start;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -51,7 +52,7 @@ public final class OwnLaw {
         public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
             double usual = 0.1 * link.damping() / (link.deflection() * link.deflection());
             return List.of(Hypothesis.law(this, link, "", law(usual), List.of(Hypothesis.Number.sum(usual, -100 * usual, 100 * usual)),
-                    List.of(Hypothesis.Start.scaled(usual))));
+                    List.of(Start.scaled(usual))));
         }
     }
 

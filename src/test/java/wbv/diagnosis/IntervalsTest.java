@@ -35,6 +35,7 @@ import wbv.diagnosis.fit.Remainder;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.mechanism.Start;
 import wbv.diagnosis.search.MassScale;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -73,7 +74,7 @@ class IntervalsTest {
     private static Hypothesis hypothesis(Law law, List<Hypothesis.Number> bounds, double... start) {
         return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "",
                 List.of(new Addition.InLink(LINK, law)),
-                Hypothesis.Number.named(law.getClass(), bounds), List.of(Hypothesis.Start.fixed(start)));
+                Hypothesis.Number.named(law.getClass(), bounds), List.of(Start.fixed(start)));
     }
 
     private static final Hypothesis CUBIC = hypothesis(new CubicSpring(1e10), List.of(Hypothesis.Number.sum(5e9, 0, 1e13)), 1.2e10);

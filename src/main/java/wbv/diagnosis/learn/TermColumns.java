@@ -13,6 +13,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.PartialledOut;
 import wbv.diagnosis.search.Screening;
@@ -52,7 +53,7 @@ final class TermColumns {
      * @param columns what its amplitudes do
      * @param gain    of it alone, beside the link's own stiffness and damping [1]
      */
-    record Column(Hypothesis term, Hypothesis.Start start, List<PartialledOut.Rest> columns, double gain) {
+    record Column(Hypothesis term, Start start, List<PartialledOut.Rest> columns, double gain) {
 
         int numbers() {
             return columns.stream().mapToInt(column -> column.direction().length).sum();
@@ -94,18 +95,18 @@ final class TermColumns {
                 .sorted(Comparator.comparingDouble(Column::gain).reversed()).toList()).toList();
     }
 
-    private Stream<double[]> directions(Hypothesis term, Hypothesis.Start start) {
+    private Stream<double[]> directions(Hypothesis term, Start start) {
         return start.columns().stream().map(column -> screening.direction(term, on.with(term), only(start, column)));
     }
 
     /** @param next what is left of its directions, and then of others'. Modified. */
-    private Optional<Column> column(Hypothesis term, Hypothesis.Start start, Iterator<PartialledOut.Rest> next) {
+    private Optional<Column> column(Hypothesis term, Start start, Iterator<PartialledOut.Rest> next) {
         List<PartialledOut.Rest> rests = start.columns().stream().map(column -> next.next()).toList();
         return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
                 : Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
     }
 
-    private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
+    private Optional<Column> column(Hypothesis term, Start start) {
         return column(term, start, screening.left().of(directions(term, start).toList()).iterator());
     }
 
@@ -129,7 +130,7 @@ final class TermColumns {
             for (double by : new double[] {-reach / 2, reach / 2}) {
                 double[] values = best.start().values().clone();
                 values[values.length - 1] += by;
-                Hypothesis.Start there = new Hypothesis.Start(values, best.start().columns());
+                Start there = new Start(values, best.start().columns());
                 Hypothesis term = column.term();
                 Hypothesis.Number number = term.numbers().get(values.length - 1);
                 if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
@@ -141,7 +142,7 @@ final class TermColumns {
         return best;
     }
 
-    private static double[] only(Hypothesis.Start start, int[] column) {
+    private static double[] only(Start start, int[] column) {
         double[] values = start.values().clone();
         start.columns().stream().filter(other -> other != column).forEach(other -> Arrays.stream(other).forEach(i -> values[i] = 0));
         return values;

@@ -22,6 +22,7 @@ import wbv.diagnosis.fit.Window;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
+import wbv.diagnosis.mechanism.Start;
 
 /** Terms of a law in a link, each with the sizes that its numbers may have in the motion of the link. */
 final class Terms {
@@ -97,7 +98,7 @@ final class Terms {
     /** @param size of what multiplies it, root mean square; 1 for nothing */
     Hypothesis term(Shape shape, Modulator modulator, double size) {
         double unit = unit(shape) / size;
-        return hypothesis(new LearnedTerm(shape, modulator, unit), unit, List.of(), List.of(Hypothesis.Start.scaled(unit)));
+        return hypothesis(new LearnedTerm(shape, modulator, unit), unit, List.of(), List.of(Start.scaled(unit)));
     }
 
     Hypothesis knee(Shape of, Law.Side side) {
@@ -105,7 +106,7 @@ final class Terms {
         double unit = unit(of);
         return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit,
                 List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
-                Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
+                Arrays.stream(KNEES).mapToObj(q -> new Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
     }
 
     Hypothesis thinning() {
@@ -114,14 +115,14 @@ final class Terms {
                 List.of(Hypothesis.Number.factor(LEAST_THINNING, MOST_THINNING).named("thinning"),
                         Hypothesis.Number.factor(KNEES[0] / 20 * v, 20 * KNEES[2] * v).named("speed_m_per_s")),
                 Arrays.stream(THINNING).boxed().flatMap(n -> Arrays.stream(KNEES)
-                        .mapToObj(q -> new Hypothesis.Start(new double[] {unit, n, q * v}, List.of(new int[] {0})))).toList());
+                        .mapToObj(q -> new Start(new double[] {unit, n, q * v}, List.of(new int[] {0})))).toList());
     }
 
     Hypothesis memory(Shape of, Shape shape, double[] times) {
         double unit = unit(shape) * unit(of) / unit(Shape.ONE);
         return hypothesis(new LearnedMemory(of, shape, Modulator.NONE, unit, times[0]), unit,
                 List.of(new Hypothesis.Number("memory_s", 0, pace * SHORTEST, pace * 40)),
-                Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
+                Arrays.stream(times).mapToObj(time -> new Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
     }
 
     /** Forces up to three times the root mean square to either side: nearly all of a motion that is normal. */
@@ -138,7 +139,7 @@ final class Terms {
         LearnedTable law = new LearnedTable(of, step, unit, unit, unit, unit, unit, unit);
         return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Addition.InLink(link, law)),
                 Hypothesis.Number.named(LearnedTable.class, numbers),
-                List.of(new Hypothesis.Start(start, IntStream.rangeClosed(1, TABLED).mapToObj(i -> new int[] {i}).toList())));
+                List.of(new Start(start, IntStream.rangeClosed(1, TABLED).mapToObj(i -> new int[] {i}).toList())));
     }
 
     Hypothesis inertance() {
@@ -151,7 +152,7 @@ final class Terms {
                 ? new Hypothesis.Number("time_s", 0.02 * seconds, 0.02 * seconds, 0.98 * seconds)
                 : new Hypothesis.Number("time_s", 0, 0.02 * seconds, 20 * seconds);
         return hypothesis(new LearnedCourse(shape, course, unit, times[0]), unit, List.of(time),
-                Arrays.stream(times).mapToObj(at -> new Hypothesis.Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
+                Arrays.stream(times).mapToObj(at -> new Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
     }
 
     /** A sine and a cosine, which make a wave of any phase. */
@@ -161,7 +162,7 @@ final class Terms {
         String tail = "_[" + law.unit() + "] of " + words(law);
         // Within half a line of its peak a wave's phase still runs away over the record: quarters of a line are near enough.
         double apart = Math.max(0.5 / seconds, (FASTEST - SLOWEST) / MOST_WAVES);
-        List<Hypothesis.Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Hypothesis.Start(
+        List<Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Start(
                 new double[] {unit, unit, SLOWEST + i * apart}, List.of(new int[] {0}, new int[] {1}))).toList();
         return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Addition.InLink(link, law)),
                 List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit),
@@ -170,7 +171,7 @@ final class Terms {
                 starts);
     }
 
-    private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Hypothesis.Start> starts) {
+    private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Start> starts) {
         List<Hypothesis.Number> numbers = new ArrayList<>(List.of(new Hypothesis.Number(key(law), unit, -300 * unit, 300 * unit)));
         numbers.addAll(further);
         return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Addition.InLink(link, law)), numbers, starts);
@@ -185,7 +186,7 @@ final class Terms {
     Hypothesis limited(LearnedTerm law, double unit, double size) {
         return hypothesis(new LearnedLimited(law.shape(), law.modulator(), unit, 2 * size), unit,
                 List.of(new Hypothesis.Number("limit_[" + law.modulator().unit() + "]", 0, 0.2 * size, 30 * size)),
-                List.of(new Hypothesis.Start(new double[] {unit, 2 * size}, List.of(new int[] {0}))));
+                List.of(new Start(new double[] {unit, 2 * size}, List.of(new int[] {0}))));
     }
 
     /** A term in words: {@code |v|v × load of link 2}. */

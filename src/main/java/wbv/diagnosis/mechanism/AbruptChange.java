@@ -5,7 +5,6 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import java.util.ArrayList;
 import java.util.List;
 import wbv.body.law.StepChange;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
  * Stiffness and damping that change at a moment. Times go by the link's own period and by the record: what takes a sitter a second takes a

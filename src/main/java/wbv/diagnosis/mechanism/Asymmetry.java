@@ -2,14 +2,13 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
+import static wbv.diagnosis.mechanism.Start.grid;
+import static wbv.diagnosis.mechanism.Start.scaled;
 
 import java.util.List;
 import wbv.body.law.AsymmetricSpring;
 import wbv.body.law.BendingSpring;
 import wbv.body.law.QuadraticSpring;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
  * A spring that is stiffer to one side than to the other: with a bend at rest, with a round one, or with the square of its deflection.

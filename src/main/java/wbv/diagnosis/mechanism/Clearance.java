@@ -2,15 +2,14 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
 import wbv.body.law.Backlash;
 import wbv.body.law.EngagingFriction;
 import wbv.body.law.RoundedBacklash;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Play, sharp or rounded; in a driven link also friction that a reversal lets go and that has to engage again. */
 record Clearance() implements Mechanism {

@@ -1,7 +1,7 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
+import static wbv.diagnosis.mechanism.Start.scaled;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -13,7 +13,6 @@ import wbv.body.Drive;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

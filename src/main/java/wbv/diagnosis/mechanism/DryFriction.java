@@ -2,15 +2,14 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.CoulombFriction;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Dry friction: of which speed tells the sign, or of bristles that bend before they slide. */
 record DryFriction() implements Mechanism {

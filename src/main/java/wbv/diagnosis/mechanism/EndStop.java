@@ -2,7 +2,7 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,6 @@ import java.util.Locale;
 import wbv.body.law.BumpStop;
 import wbv.body.law.HertzStop;
 import wbv.body.law.Law;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A stop to one side or to both, straight or round as a ball is. */
 record EndStop() implements Mechanism {

@@ -2,9 +2,9 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
+import static wbv.diagnosis.mechanism.Start.scaled;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,6 @@ import wbv.body.law.CubicSpring;
 import wbv.body.law.GasSpring;
 import wbv.body.law.PolynomialSpring;
 import wbv.body.law.ProgressiveSpring;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
  * A spring whose force grows faster than its deflection: with the cube, with square and cube, from a knee on, or as a column of air that is

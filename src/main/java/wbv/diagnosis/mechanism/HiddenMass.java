@@ -1,7 +1,7 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -10,7 +10,6 @@ import java.util.Optional;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A mass on a spring, linear or stiffening, and a dashpot on a body. Told by its frequency and damping ratio. */
 record HiddenMass() implements Mechanism {

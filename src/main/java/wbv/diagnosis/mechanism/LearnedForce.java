@@ -29,6 +29,6 @@ public record LearnedForce() implements Mechanism {
      */
     public Hypothesis inertance(int link, String where, double unit) {
         return new Hypothesis(this, where, "a", List.of(new Addition.InLink(link, new LearnedInertance(unit))),
-                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
+                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Start.scaled(unit)));
     }
 }

@@ -10,7 +10,6 @@ import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

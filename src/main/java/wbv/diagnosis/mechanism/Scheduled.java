@@ -68,10 +68,10 @@ record Scheduled(What what) implements Mechanism {
             List<Hypothesis.Number> numbers = new ArrayList<>(List.of(sum(0.3 * f, 0, 10 * f)));
             numbers.addAll(polynomial(degree, 0.3 * f, 10 * f));
             numbers.add(factor(DryFriction.STUCK * v, 3 * v));
-            List<Hypothesis.Start> starts = new ArrayList<>();
+            List<Start> starts = new ArrayList<>();
             for (double slope : new double[] {-0.8, 0.8}) {
                 for (double transition : new double[] {1e-4, 0.02, 0.15}) {
-                    starts.add(Hypothesis.Start.of(new double[] {f, slope * f, 0, 0, 0, transition * v}, new int[] {0, 1}));
+                    starts.add(Start.of(new double[] {f, slope * f, 0, 0, 0, transition * v}, new int[] {0, 1}));
                 }
             }
             return Hypothesis.law(this, link, form, new ScheduledFriction(by, f, 0, 0, 0, 0, v), numbers, starts);
@@ -81,7 +81,7 @@ record Scheduled(What what) implements Mechanism {
         Law law = new ScheduledLink(what == What.STIFFNESS ? ScheduledLink.Of.STIFFNESS : ScheduledLink.Of.DAMPING, by, sizes[0], sizes[1],
                 sizes[2], sizes[3]);
         return Hypothesis.law(this, link, form, law, polynomial(degree, CHANGE, MOST),
-                List.of(new Hypothesis.Start(sizes, IntStream.range(0, degree).mapToObj(i -> new int[] {i}).toList())));
+                List.of(new Start(sizes, IntStream.range(0, degree).mapToObj(i -> new int[] {i}).toList())));
     }
 
     /** Coefficients up to a degree; those beyond are held at nothing. */

@@ -1,15 +1,14 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.SensorFault;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A sensor whose range ends, below, above or at both ends. */
 record SensorClipping() implements Mechanism {

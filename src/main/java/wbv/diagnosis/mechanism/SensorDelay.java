@@ -2,8 +2,8 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.Collections;
 import java.util.List;
@@ -13,7 +13,6 @@ import java.util.stream.Stream;
 import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A sensor that is late, always by as much, ever more, or by what comes and goes. */
 record SensorDelay() implements Mechanism {

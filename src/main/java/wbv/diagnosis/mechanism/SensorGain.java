@@ -4,7 +4,6 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 
 import java.util.List;
 import wbv.body.SensorFault;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A sensor that reads a factor of what it should. Not looked for on a rig, whose constants are fitted. */
 record SensorGain() implements Mechanism {

@@ -5,7 +5,6 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.SensorFault;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

@@ -1,6 +1,6 @@
 package wbv.diagnosis.mechanism;
 
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.fixed;
 
 import java.util.Arrays;
 import java.util.List;

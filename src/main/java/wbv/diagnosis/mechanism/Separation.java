@@ -1,8 +1,8 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.List;
 import java.util.stream.DoubleStream;

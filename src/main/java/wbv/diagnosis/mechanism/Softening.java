@@ -2,8 +2,8 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -58,7 +58,7 @@ record Softening() implements Mechanism {
                 : Optional.empty();
     }
 
-    private Hypothesis form(Hypothesis plain, String name, Addition law, Number further, List<Hypothesis.Start> starts) {
+    private Hypothesis form(Hypothesis plain, String name, Addition law, Number further, List<Start> starts) {
         List<Number> numbers = new ArrayList<>(plain.numbers());
         numbers.add(further);
         return new Hypothesis(this, plain.where(), name, List.of(law), numbers, starts);

@@ -1,7 +1,7 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
+import static wbv.diagnosis.mechanism.Start.scaled;
 
 import java.util.List;
 import wbv.body.law.QuadraticDamping;

@@ -3,7 +3,7 @@ package wbv.diagnosis.mechanism;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.none;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,6 @@ import wbv.body.law.Law;
 import wbv.body.law.MuscleReflex;
 import wbv.body.law.Reflex;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
  * A force that follows deflection, velocity or both late, as that of a stretch reflex does; and one that a muscle makes of it, which

@@ -8,7 +8,6 @@ import java.util.Optional;
 import wbv.body.Drive;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**
  * A force of its own on a body: a tone, where one stands out. A push that is no tone is found without a law. Not looked for on a rig.

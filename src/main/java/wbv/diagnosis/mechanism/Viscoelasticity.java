@@ -1,12 +1,11 @@
 package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
-import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.List;
 import java.util.Optional;
 import wbv.body.law.MaxwellArm;
-import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A spring in series with a dashpot beside the link (Maxwell). */
 record Viscoelasticity() implements Mechanism {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
 
 /**
  * A mechanism once it is found in its plain form, in one with more numbers: a hidden mass on a spring that stiffens, a softening that
@@ -54,7 +55,7 @@ final class FurtherForm {
                         plain.form().isEmpty() ? all.stream().filter(form -> form.claim().equals(plain.claim()))
                                 .flatMap(form -> plain.kind().begunAt(form, found).stream()) : Stream.empty())
                 .flatMap(form -> refinement.polished(base.candidate(), form, numbers(fit), fit.frame(),
-                        form.starts().stream().map(Hypothesis.Start::values).toList()).stream());
+                        form.starts().stream().map(Start::values).toList()).stream());
     }
 
     /**

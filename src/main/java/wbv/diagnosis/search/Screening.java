@@ -19,6 +19,7 @@ import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
 
 /**
  * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
@@ -96,14 +97,14 @@ public final class Screening {
         Candidate with = state.candidate().with(hypothesis);
         Score best = new Score(hypothesis, with, 0,
                 state.candidate().extended(state.x(), with, hypothesis, hypothesis.starts().get(0).values()));
-        for (Hypothesis.Start start : hypothesis.starts()) {
+        for (Start start : hypothesis.starts()) {
             Score score = score(hypothesis, with, start);
             best = score.gain() > best.gain() ? score : best;
         }
         return best;
     }
 
-    private Score score(Hypothesis hypothesis, Candidate with, Hypothesis.Start start) {
+    private Score score(Hypothesis hypothesis, Candidate with, Start start) {
         boolean amplitude = !start.columns().isEmpty();
         List<double[]> directions = new ArrayList<>();
         if (amplitude) {
@@ -136,7 +137,7 @@ public final class Screening {
      *
      * @param strength by column [1]; of a start without columns nothing changes. Not modified.
      */
-    static double[] sized(Hypothesis hypothesis, Hypothesis.Start start, double[] strength) {
+    static double[] sized(Hypothesis hypothesis, Start start, double[] strength) {
         double[] values = start.values().clone();
         for (int c = 0; c < start.columns().size(); c++) {
             for (int i : start.columns().get(c)) {

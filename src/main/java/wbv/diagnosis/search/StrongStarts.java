@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
 
 /**
  * Laws about as strong as the link that they act in, to start from. Screening sees a law as it would be if it were weak, beside a model
@@ -31,12 +32,12 @@ final class StrongStarts {
                 : hypothesis.starts().stream().filter(start -> !start.columns().isEmpty()).flatMap(start -> of(hypothesis, start)).toList();
     }
 
-    private Stream<double[]> of(Hypothesis hypothesis, Hypothesis.Start start) {
+    private Stream<double[]> of(Hypothesis hypothesis, Start start) {
         double each = screening.share(hypothesis, sized(hypothesis, start, 1));
         return Arrays.stream(SHARES).mapToObj(share -> sized(hypothesis, start, share / each)).filter(values -> canBe(hypothesis, values));
     }
 
-    private static double[] sized(Hypothesis hypothesis, Hypothesis.Start start, double factor) {
+    private static double[] sized(Hypothesis hypothesis, Start start, double factor) {
         double[] all = new double[start.columns().size()];
         Arrays.fill(all, factor);
         return Screening.sized(hypothesis, start, all);

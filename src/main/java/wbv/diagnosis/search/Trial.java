@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
 
 /**
  * A hypothesis on its way through a heat.
@@ -44,7 +44,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
-        for (Hypothesis.Start start : score.hypothesis().starts()) {
+        for (Start start : score.hypothesis().starts()) {
             if (score.hypothesis().starts().size() <= Effort.STARTS
                     && (base.candidate().added().isEmpty() || base.reduced() > Priors.GLARING)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
@@ -99,7 +99,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
                 Knob knob = base.knobs().get(i);
                 own[i] = knob.unit() == 0 ? Math.max(knob.low(), Math.min(knob.high(), own[i] + gain)) : own[i];
             }
-            for (Hypothesis.Start start : score.hypothesis().starts()) {
+            for (Start start : score.hypothesis().starts()) {
                 fits.add(ground.fitter().fit(with, base.extended(own, with, score.hypothesis(), start.values()), ground.base().frame(),
                         Effort.LAST_STEPS, Effort.ENOUGH));
             }

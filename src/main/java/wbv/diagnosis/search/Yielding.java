@@ -12,6 +12,7 @@ import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
+import wbv.diagnosis.mechanism.Start;
 
 /**
  * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
@@ -91,7 +92,7 @@ final class Yielding {
         Hypothesis gradual = beside ? new Hysteresis().beside(link, where, Math.max(given, LEAST * hanging), hanging, yield)
                 : new Hysteresis().gradual(link, where, hanging / sticking, yield);
         return polished(from, link, beside ? sliding : sticking, gradual,
-                gradual.starts().stream().map(Hypothesis.Start::values).toList());
+                gradual.starts().stream().map(Start::values).toList());
     }
 
     /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */

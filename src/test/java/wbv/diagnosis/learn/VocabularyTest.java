@@ -13,6 +13,7 @@ import wbv.body.number.Shape;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
+import wbv.diagnosis.mechanism.Start;
 
 class VocabularyTest {
 
@@ -40,6 +41,6 @@ class VocabularyTest {
     private static Hypothesis term(String shape, Modulator modulator) {
         Learned law = new LearnedTerm(Shape.parse(shape), modulator, 1);
         return new Hypothesis(new LearnedForce(), "platform-seat", Terms.words(law), List.of(new Addition.InLink(0, law)),
-                List.of(new Hypothesis.Number("coefficient", 1, -9, 9)), List.of(Hypothesis.Start.scaled(1)));
+                List.of(new Hypothesis.Number("coefficient", 1, -9, 9)), List.of(Start.scaled(1)));
     }
 }

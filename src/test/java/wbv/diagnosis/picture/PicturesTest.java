@@ -42,6 +42,7 @@ import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.mechanism.Start;
 import wbv.diagnosis.search.Trial;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -238,7 +239,7 @@ class PicturesTest {
             Hypothesis named = new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "",
                     List.of(new Addition.InLink(LINK, law)),
                     Arrays.stream(values).mapToObj(any -> Hypothesis.Number.sum(1, -100, 100)).toList(),
-                    List.of(Hypothesis.Start.fixed(values)));
+                    List.of(Start.fixed(values)));
             Fitter.State chosen = state(trial, named, values);
             Portrait portrait = pictures(trial, trial.bare(), chosen, List.of()).portraits().get(0);
             assertEquals((spring ? "Stiffness change" : "Friction") + " in seat-torso over roller.pos.z", portrait.title());
@@ -359,7 +360,7 @@ class PicturesTest {
         Hypothesis hypothesis = new Hypothesis(Library.standard().of("stiffness.hardening").orElseThrow(), "seat-torso", "",
                 List.of(new Addition.InLink(LINK, law)),
                 List.of(Hypothesis.Number.sum(value, -10 * value, 10 * value).named("k3_N_per_m3")),
-                List.of(Hypothesis.Start.fixed(value)));
+                List.of(Start.fixed(value)));
         return state(trial, hypothesis, new double[] {value});
     }
 

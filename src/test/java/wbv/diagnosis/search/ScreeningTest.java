@@ -29,6 +29,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.mechanism.Start;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -90,7 +91,7 @@ class ScreeningTest {
         return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "link " + link, "",
                 List.of(new Addition.InLink(link, law)),
                 Hypothesis.Number.named(law.getClass(), List.of(Hypothesis.Number.sum(value, -1000 * value, 1000 * value))),
-                List.of(Hypothesis.Start.scaled(value)));
+                List.of(Start.scaled(value)));
     }
 
     @Tag("slow")

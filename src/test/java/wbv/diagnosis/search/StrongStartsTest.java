@@ -25,6 +25,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.mechanism.Start;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -60,7 +61,7 @@ class StrongStartsTest {
         return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "platform-seat", "",
                 List.of(new Addition.InLink(0, law)),
                 Hypothesis.Number.named(law.getClass(), List.of(Hypothesis.Number.sum(unit, low, high))),
-                List.of(Hypothesis.Start.scaled(unit)));
+                List.of(Start.scaled(unit)));
     }
 
     private static double rms(double[] x) {
