@@ -14,6 +14,7 @@ import java.lang.reflect.RecordComponent;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -22,6 +23,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.body.law.Law;
 import wbv.body.number.Key;
@@ -35,6 +37,8 @@ import wbv.recording.InputFile;
 /** Models as JSON ({@code model.json}): read with every mistake named by its place, written so that they read back the same. */
 public final class ModelFile {
 
+    /** Of the sets of values that a fault of one suggests. */
+    private static final int NEAREST = 3;
     private static final String STIFFENING = "cubic_per_m2";
     /** NaN is read as a number, so that the value that may not be one is named. */
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
@@ -202,7 +206,7 @@ public final class ModelFile {
         Set<String> given = new TreeSet<>();
         at.node.fieldNames().forEachRemaining(given::add);
         given.remove(word);
-        Set<String> known = new TreeSet<>();
+        List<Set<String>> known = new ArrayList<>();
         for (Class<?> type : records(family).toList()) {
             Set<String> keys = new TreeSet<>();
             for (RecordComponent component : type.getRecordComponents()) {
@@ -214,9 +218,16 @@ public final class ModelFile {
                     return made;
                 }
             }
-            known.add(keys.toString());
+            known.add(keys);
         }
-        throw at.fault("no " + word + " '" + mechanism + "' with the values " + given + "; values that belong together are " + known);
+        String near = known.stream().sorted(Comparator.comparingInt((Set<String> keys) -> apart(keys, given)).thenComparing(Set::toString))
+                .distinct().limit(NEAREST).map(Set::toString).collect(Collectors.joining(" or "));
+        throw at.fault("no " + word + " '" + mechanism + "' with the values " + given + "; what is nearest to them is " + near);
+    }
+
+    /** How many words are in one set alone. */
+    private static int apart(Set<String> one, Set<String> other) {
+        return (int) (one.stream().filter(word -> !other.contains(word)).count() + other.stream().filter(word -> !one.contains(word)).count());
     }
 
     private static Model.HiddenMode hidden(JsonPlace at) {

@@ -270,9 +270,10 @@ final class CSource {
     }
 
     private void drive() {
-        line("/* Forces beside the base and the laws: in links, pulling their ends together, and on bodies. */");
+        line("/* Forces beside the base and the laws: in links, pulling their ends together, and on bodies; and what lifts links' lower ends. */");
         line("static void drive(Model *s, const double *u, double t) {\n    const double *p = s->p;\n    (void) p, (void) u, (void) t;");
         line("    memset(s->link_drive, 0, sizeof s->link_drive);\n    memset(s->body_drive, 0, sizeof s->body_drive);");
+        line("    memset(s->lift, 0, sizeof s->lift);\n    memset(s->rise, 0, sizeof s->rise);");
         StringBuilder launched = new StringBuilder();
         for (int d = 0; d < assembly.drives().size(); d++) {
             Assembly.DriveAt at = assembly.drives().get(d);
@@ -295,9 +296,9 @@ final class CSource {
                 line("    " + target + "+= " + p(own + "cross_stiffness_N_per_m") + " * " + u(StepInputs.lean(cross.upper(), cross.lower()))
                         + ";");
             } else if (at.drive() instanceof Drive.Rotation rotation) {
-                line("    " + target + "-= " + p(own + "lever_arm_m") + " * (p[STIFFNESS + " + at.place() + "] * "
-                        + u(StepInputs.angle(rotation.rate()))
-                        + " + p[DAMPING + " + at.place() + "] * " + u(rotation.rate().toString()) + ");");
+                String arm = " += " + p(own + "lever_arm_m") + " * ";
+                line("    s->lift[" + at.place() + "]" + arm + u(StepInputs.angle(rotation.rate())) + ";");
+                line("    s->rise[" + at.place() + "]" + arm + u(rotation.rate().toString()) + ";");
             }
         }
         line("}\n\nstatic void launch(Model *s) {\n    (void) s;\n" + launched + "}\n");

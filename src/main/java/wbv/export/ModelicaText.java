@@ -6,7 +6,9 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -32,6 +34,7 @@ final class ModelicaText {
     private final List<String> bodies;
     private final List<String> links;
     private final StringBuilder declared = new StringBuilder();
+    private final StringBuilder initially = new StringBuilder();
     private final StringBuilder equations = new StringBuilder();
 
     private ModelicaText(Model model) {
@@ -55,7 +58,7 @@ final class ModelicaText {
         text.forces();
         text.sensors();
         return "model " + name + " \"" + Names.plain(model.name()) + ": a lumped model of vibration along " + model.axis() + "\"\n"
-                + text.declared + "equation\n"
+                + text.declared + (text.initially.isEmpty() ? "" : "initial equation\n" + text.initially) + "equation\n"
                 + text.equations + "end " + name + ";\n";
     }
 
@@ -100,9 +103,33 @@ final class ModelicaText {
             declare("Real s_" + id, "m/s", "its speed");
             declare("Real load_" + id, "N", "force of spring, dashpot and laws, pulling the ends together");
             declare("Real force_" + id, "N", "the same with what drives it");
-            equation("r_" + id + " = " + (structure.held() ? "-" + inputs.get(signals.names().get(0)) : apart("q_", l)));
-            equation("s_" + id + " = " + (structure.held() ? "-" + inputs.get(signals.names().get(1)) : apart("v_", l)));
+            equation("r_" + id + " = "
+                    + (structure.held() ? "-" + inputs.get(signals.names().get(0)) : apart("q_", l) + lifted(l, this::risen)));
+            equation("s_" + id + " = " + (structure.held() ? "-" + inputs.get(signals.names().get(1))
+                    : apart("v_", l) + lifted(l, rotation -> inputs.get(rotation.rate().toString()))));
         }
+    }
+
+    /** What rotation lifts a link's lower end by is what the link is the shorter by. */
+    private String lifted(int link, Function<Drive.Rotation, String> turned) {
+        StringBuilder by = new StringBuilder();
+        for (int d = 0; d < assembly.drives().size(); d++) {
+            if (assembly.drives().get(d).place() == link && assembly.drives().get(d).drive() instanceof Drive.Rotation rotation) {
+                by.append(" - drive").append(d).append("_lever_arm_m * ").append(turned.apply(rotation));
+            }
+        }
+        return by.toString();
+    }
+
+    /** An angle since the start. */
+    private String risen(Drive.Rotation rotation) {
+        String angle = inputs.get(StepInputs.angle(rotation.rate()));
+        String start = "start_" + angle;
+        if (taken.add(start)) {
+            declare("parameter Real " + start + "(fixed = false)", "rad", "where it is at the start");
+            initially.append("  ").append(start).append(" = ").append(angle).append(";\n");
+        }
+        return "(" + angle + " - " + start + ")";
     }
 
     private String apart(String what, int link) {
@@ -191,7 +218,8 @@ final class ModelicaText {
             if (!(at.drive() instanceof Drive.Launch)) {
                 LawForm.constants((Record) at.drive())
                         .forEach((name, value) -> declare("parameter Real " + own + name + " = " + value, "", at.drive().mechanism()));
-                (at.drive().actsOnBody() ? onBody : inLink).get(at.place()).append(" + ").append(drive(at, own));
+                drive(at.drive(), own)
+                        .ifPresent(force -> (at.drive().actsOnBody() ? onBody : inLink).get(at.place()).append(" + ").append(force));
             }
         }
         for (int l = 0; l < links.size(); l++) {
@@ -216,28 +244,25 @@ final class ModelicaText {
         }
     }
 
-    private String drive(Assembly.DriveAt at, String own) {
-        Drive drive = at.drive();
+    /** Empty where it is no force. */
+    private Optional<String> drive(Drive drive, String own) {
         if (drive instanceof Drive.Tone) {
             String phase = "(2 * 3.141592653589793 * " + own + "frequency_hz * time)";
-            return own + "cosine_N * cos" + phase + " + " + own + "sine_N * sin" + phase;
+            return Optional.of(own + "cosine_N * cos" + phase + " + " + own + "sine_N * sin" + phase);
         }
         if (drive instanceof Drive.Measured measured) {
-            return inputs.get(measured.channel().toString()) + " - " + own + "offset_N";
+            return Optional.of(inputs.get(measured.channel().toString()) + " - " + own + "offset_N");
         }
         if (drive instanceof Drive.Given given) {
-            return own + "share * " + inputs.get(given.channel().toString());
+            return Optional.of(own + "share * " + inputs.get(given.channel().toString()));
         }
         if (drive instanceof Drive.Across across) {
-            return own + "coupled_mass_kg * " + inputs.get(across.across().toString());
+            return Optional.of(own + "coupled_mass_kg * " + inputs.get(across.across().toString()));
         }
         if (drive instanceof Drive.CrossAxis cross) {
-            return own + "cross_stiffness_N_per_m * " + inputs.get(StepInputs.lean(cross.upper(), cross.lower()));
+            return Optional.of(own + "cross_stiffness_N_per_m * " + inputs.get(StepInputs.lean(cross.upper(), cross.lower())));
         }
-        Drive.Rotation rotation = (Drive.Rotation) drive;
-        String link = links.get(at.place());
-        return "(-" + own + "lever_arm_m) * (k_" + link + " * " + inputs.get(StepInputs.angle(rotation.rate())) + " + c_" + link + " * "
-                + inputs.get(rotation.rate().toString()) + ")";
+        return Optional.empty();
     }
 
     private void sensors() {

@@ -169,13 +169,13 @@ final class PythonText {
 
     private void drives() {
         line("\n\ndef drives(x):");
-        line("    \"\"\"Forces beside the base and the laws, as spectra [N]: on a body, or pulling the ends of a link together.\"\"\"");
+        line("    \"\"\"Forces beside the base and the laws, as spectra [N]: on a body, or pulling the ends of a link together; how far links are lifted [m].\"\"\"");
         line("    return [");
         for (Assembly.DriveAt at : assembly.drives()) {
             Drive drive = at.drive();
-            String kind = drive instanceof Drive.Launch ? "launch" : drive.actsOnBody() ? "body" : "link";
-            String first = drive instanceof Drive.Rotation ? "x, " + at.place() : "x";
-            line("        (" + quoted(kind) + ", " + at.place() + ", " + call(first, (Record) drive) + "),  # "
+            String kind = drive instanceof Drive.Launch ? "launch"
+                    : drive instanceof Drive.Rotation ? "lift" : drive.actsOnBody() ? "body" : "link";
+            line("        (" + quoted(kind) + ", " + at.place() + ", " + call("x", (Record) drive) + "),  # "
                     + Names.plain((drive.actsOnBody() ? names.bodies() : names.links()).get(at.place())));
         }
         line("    ]");

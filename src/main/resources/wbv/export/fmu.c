@@ -27,6 +27,7 @@ struct Model {
     double force[AT_LEAST_1(LAWS)], previous[AT_LEAST_1(LAWS)], memory[AT_LEAST_1(LAWS)], square[AT_LEAST_1(LAWS)];
     double give[AT_LEAST_1(LAWS * LAWS)], give_v[AT_LEAST_1(LAWS * LAWS)];
     double link_r[LINKS], link_v[LINKS], load[LINKS], link_drive[LINKS], body_drive[BODIES];
+    double lift[LINKS], rise[LINKS], lift_at_start[LINKS];
     double before_base, before_link[LINKS], before_body[BODIES];
     Series r[AT_LEAST_1(LAWS)], v[AT_LEAST_1(LAWS)], late[AT_LEAST_1(DELAYS)];
     Mount mounts[AT_LEAST_1(MOUNTS)];
@@ -257,6 +258,18 @@ static double root(const Model *s, int i, Motion *m, double start) {
     return f;
 }
 
+/* What pulls the ends of a link together beside its laws and its own stretch: its lower end is lifted since the start. */
+static double pulled(const Model *s, int l) {
+    return s->link_drive[l] - s->p[STIFFNESS + l] * (s->lift[l] - s->lift_at_start[l]) - s->p[DAMPING + l] * s->rise[l];
+}
+
+static void see(Model *s) {
+    for (int l = 0; l < LINKS; l++) {
+        s->link_r[l] = stretch(s, s->x, 1, l) - (s->lift[l] - s->lift_at_start[l]);
+        s->link_v[l] = speed(s->x, 1, l) - s->rise[l];
+    }
+}
+
 static void place(const Model *s, int i, Motion *m, const double *free_x, const double *multiplied, double t) {
     int link = LAW_LINK[i];
     m->k = s->p[STIFFNESS + link];
@@ -266,8 +279,8 @@ static void place(const Model *s, int i, Motion *m, const double *free_x, const 
     m->r_before = s->link_r[link];
     m->memory = s->memory[i];
     m->modulation = multiplied[i];
-    m->r = stretch(s, free_x, 1, link);
-    m->v = speed(free_x, 1, link);
+    m->r = stretch(s, free_x, 1, link) - (s->lift[link] - s->lift_at_start[link]);
+    m->v = speed(free_x, 1, link) - s->rise[link];
     for (int k = 0; k < LAWS; k++) {
         m->r += s->give[i * LAWS + k] * s->force[k];
         m->v += s->give_v[i * LAWS + k] * s->force[k];
@@ -310,7 +323,9 @@ static int step(Model *s, const double *u, double t) {
     double multiplied[AT_LEAST_1(LAWS)];
     Motion m;
     modulate(s, u, multiplied);
-    memcpy(s->before_link, s->link_drive, sizeof s->before_link);
+    for (int l = 0; l < LINKS; l++) {
+        s->before_link[l] = pulled(s, l);
+    }
     memcpy(s->before_body, s->body_drive, sizeof s->before_body);
     drive(s, u, t);
     if (DRIVEN) {
@@ -337,7 +352,7 @@ static int step(Model *s, const double *u, double t) {
             free_x[i] += s->before[i * COLUMNS + 1 + LAW_LINK[k]] * s->force[k];
         }
         for (int l = 0; l < LINKS; l++) {
-            free_x[i] += s->before[i * COLUMNS + 1 + l] * s->before_link[l] + s->after[i * COLUMNS + 1 + l] * s->link_drive[l];
+            free_x[i] += s->before[i * COLUMNS + 1 + l] * s->before_link[l] + s->after[i * COLUMNS + 1 + l] * pulled(s, l);
         }
         for (int b = 0; b < BODIES; b++) {
             free_x[i] += s->before[i * COLUMNS + 1 + LINKS + b] * s->before_body[b] + s->after[i * COLUMNS + 1 + LINKS + b] * s->body_drive[b];
@@ -378,10 +393,7 @@ static int step(Model *s, const double *u, double t) {
             return 0;
         }
     }
-    for (int l = 0; l < LINKS; l++) {
-        s->link_r[l] = stretch(s, s->x, 1, l);
-        s->link_v[l] = speed(s->x, 1, l);
-    }
+    see(s);
     s->base_x += s->h * s->base_v + s->h * s->h * (2 * s->before_base + base) / 6;
     s->base_v += s->h * (s->before_base + base) / 2;
     s->before_base = base;
@@ -393,11 +405,10 @@ static void begin(Model *s) {
     s->w = 1;
     s->before_base = BASE_MOVES && !DRIVEN ? s->u[0] : 0;
     drive(s, s->u, 0);
+    memcpy(s->lift_at_start, s->lift, sizeof s->lift);
     launch(s);
     modulate(s, s->u, multiplied);
-    for (int l = 0; l < LINKS; l++) {
-        s->link_v[l] = speed(s->x, 1, l);
-    }
+    see(s);
     for (int i = 0; i < LAWS; i++) {
         append(&s->r[i], 0);
         append(&s->v[i], 0);

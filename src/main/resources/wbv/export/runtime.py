@@ -311,8 +311,9 @@ def run(x, linear_model, further, laws, modulators, drives, sensors):
         add_drive(linear, q, kind, place, force)
     forces = []
     if laws:
-        known = known_forces(x, drives)
-        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, modulators)]
+        lift = Lift(x, drives)
+        known = known_forces(x, drives, lift)
+        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, lift, laws, modulators)]
         for law, force in zip(laws, forces):
             linear.add_link_force(q, law[0], force)
     outputs = []
@@ -321,6 +322,7 @@ def run(x, linear_model, further, laws, modulators, drives, sensors):
             read = linear.stiffness[place] * stretch(q, place)
             read = read + sum(force for law, force in zip(laws, forces) if law[0] == place)
             read = read + sum(force for kind, link, force in drives if kind == "link" and link == place)
+            read = read - linear.stiffness[place] * sum(lift for kind, link, lift in drives if kind == "lift" and link == place)
         else:
             read = body_motion(x, linear, q, place, reading)
         outputs.append(x.series(faults(x, read)))
@@ -339,11 +341,29 @@ def add_drive(linear, q, kind, place, force):
         linear.add_launch(q, place, force)
     elif kind == "body":
         linear.add_body_force(q, place, force)
+    elif kind == "lift":
+        linear.add_link_force(q, place, -linear.stiffness[place] * force)
     else:
         linear.add_link_force(q, place, force)
 
 
-def known_forces(x, drives):
+class Lift:
+    """How far the lower ends of links are lifted since the start [m], and how fast [m/s], by link and point: a link is that much shorter."""
+
+    def __init__(self, x, drives):
+        points = len(x.held(x.base))
+        self.height = np.zeros((len(LINKS), points))
+        self.rate = np.zeros((len(LINKS), points))
+        self.start = np.zeros(len(LINKS))
+        for kind, link, lift in drives:
+            if kind == "lift":
+                height = x.fine_series(lift)
+                self.start[link] += height[0]
+                self.height[link] += height - height[0]
+                self.rate[link] += x.fine_series(1j * x.omega * lift)
+
+
+def known_forces(x, drives, lift):
     """Force on each body by the drives, at the free run's points; nothing where there is no drive."""
     if not drives:
         return None
@@ -351,12 +371,17 @@ def known_forces(x, drives):
     for kind, place, force in drives:
         if kind == "body":
             body[place] += force
-        elif kind == "link":
+        elif kind in ("link", "lift"):
+            pull = force if kind == "link" else -(STIFFNESS[place] + 1j * x.omega * DAMPING[place]) * force
             lower, upper = LINKS[place]
-            body[upper] -= force
+            body[upper] -= pull
             if lower >= 0:
-                body[lower] += force
+                body[lower] += pull
     series = np.array([x.held(each) for each in body])
+    for (lower, upper), stiffness, start in zip(LINKS, STIFFNESS, lift.start):
+        series[upper] -= stiffness * start
+        if lower >= 0:
+            series[lower] += stiffness * start
     for kind, place, velocity in drives:
         if kind == "launch":
             series[place][0] += 2 / x.step * MASS[place] * velocity
@@ -479,7 +504,7 @@ def exact_hold(h):
     return w, zero, h * one @ b - after, after
 
 
-def free_run(x, linear, known, laws, modulators):
+def free_run(x, linear, known, lift, laws, modulators):
     """Force of each law [N] at every point."""
     base = x.held(x.base)
     late = any(law[2] > 0 for law in laws)
@@ -488,7 +513,7 @@ def free_run(x, linear, known, laws, modulators):
     way = FreeRun(x.step, laws, others, 0 if late or not x.forced else 3 if isinstance(linear, LinearFree) else 1)
     way.begin(len(base), True)
     for j in range(len(base) - 1):
-        way.go(base, known, modulation, j, 0.0)
+        way.go(base, known, lift.height, lift.rate, modulation, j, 0.0)
         if not np.abs(way.x).max() < 1e4:
             raise ValueError("the simulation leaves all bounds: a law of the model is unstable with these values")
     return way.force
@@ -550,6 +575,14 @@ class FreeRun:
         share = at - floor
         return 0.0 if floor < 0 else series[floor] * (1 - share) + (series[floor + 1] * share if floor + 1 < index else 0)
 
+    def lifted(self, i, height, rate):
+        """What law i goes by of another link is the less by."""
+        if not self.others[i]:
+            return 0.0
+        of, link = self.others[i].other
+        k, c = {"load": (STIFFNESS[link], DAMPING[link]), "deflection": (1, 0), "speed": (0, 1)}[of]
+        return float(k * height[link] + c * rate[link])
+
     def place(self, i, j, r, v, whole, modulation, since):
         step = self.steps[i]
         step.t = since + (j + 1) * self.h
@@ -564,19 +597,19 @@ class FreeRun:
             step.late_r = float(self.earlier(self.displacement[i], j + 1, self.laws[i][2]))
             step.late_v = float(self.earlier(self.velocity[i], j + 1, self.laws[i][2]))
 
-    def go(self, base, known, modulation, j, since):
+    def go(self, base, known, height, rate, modulation, j, since):
         """A step, in parts where a force jumps in it."""
         m = len(self.laws)
         earlier, old = self.last, self.x
-        self.step(base, known, modulation, j, since)
+        self.step(base, known, height[:, j + 1], rate[:, j + 1], modulation, j, since)
         self.greatest = [max(a, abs(b)) for a, b in zip(self.greatest, self.now)]
         jumped = any(abs(self.now[i] - (2 * self.last[i] - earlier[i])) > 0.1 * self.greatest[i] for i in range(m))
         if jumped and self.finer:
-            self.in_parts(old, earlier, base, known, modulation, j, since)
+            self.in_parts(old, earlier, base, known, height, rate, modulation, j, since)
         else:
             self.memory = [self.laws[i][1](self.steps[i])[1] for i in range(m)]
 
-    def step(self, base, known, modulation, j, since):
+    def step(self, base, known, height, rate, modulation, j, since):
         m = len(self.laws)
         free = self.transition @ self.x + self.before[:, 0] * base[j] + self.after[:, 0] * base[j + 1]
         for i in range(m):
@@ -584,9 +617,9 @@ class FreeRun:
         if known is not None:
             free += self.before[:, 1 + len(LINKS):] @ known[:, j] + self.after[:, 1 + len(LINKS):] @ known[:, j + 1]
         self.now, self.last = [2 * f - g for f, g in zip(self.now, self.last)], self.now
-        r = [float(self.stretch_of(free, link)) for link in self.links]
-        v = [float(self.speed_of(free, link)) for link in self.links]
-        whole = [float(self.whole_of(free, i)) for i in range(m)]
+        r = [float(self.stretch_of(free, link) - height[link]) for link in self.links]
+        v = [float(self.speed_of(free, link) - rate[link]) for link in self.links]
+        whole = [float(self.whole_of(free, i)) - self.lifted(i, height, rate) for i in range(m)]
         for _ in range(1 if m == 1 else 40):
             moved = 0.0
             for i in range(m):
@@ -612,7 +645,7 @@ class FreeRun:
         rest = whole[i] + sum(self.give_other[i][k] * self.now[k] for k in range(len(whole)) if k != i)
         return lambda f: float(self.others[i].part(rest + self.give_other[i][i] * f))
 
-    def in_parts(self, old, earlier, base, known, modulation, j, since):
+    def in_parts(self, old, earlier, base, known, height, rate, modulation, j, since):
         part, count, m = self.finer, self.PARTS, len(self.laws)
         share = np.arange(count + 1) / count
         between = lambda series: None if series is None else series[..., j, None] + (series[..., j + 1] - series[..., j])[..., None] * share
@@ -623,8 +656,9 @@ class FreeRun:
         part.displacement[:, 0] = self.displacement[:, j]
         part.velocity[:, 0] = self.velocity[:, j]
         shaken, pushed, modulated = between(base), between(known), [between(each) for each in modulation]
+        lifted, rising = between(height), between(rate)
         for k in range(count):
-            part.go(shaken, pushed, modulated, k, since + j * self.h)
+            part.go(shaken, pushed, lifted, rising, modulated, k, since + j * self.h)
         self.x, self.now, self.memory = part.x, list(part.now), list(part.memory)
         self.displacement[:, j + 1] = part.displacement[:, count]
         self.velocity[:, j + 1] = part.velocity[:, count]
@@ -755,10 +789,9 @@ def lower_swings(x, swings_on, tilted_by, upper, cross_stiffness_N_per_m, swing_
     return -upper_swings(x, swings_on, tilted_by, upper, cross_stiffness_N_per_m, swing_frequency_hz, swing_damping_ratio, height_m)
 
 
-def rotation(x, link, rate, lever_arm_m):
-    """The lower end of a link is lifted by rotation."""
-    lift = lever_arm_m * over_j_omega(x, x.channel(rate))
-    return -(STIFFNESS[link] + 1j * x.omega * DAMPING[link]) * lift
+def rotation(x, rate, lever_arm_m):
+    """How far the lower end of a link is lifted by rotation [m]."""
+    return lever_arm_m * over_j_omega(x, x.channel(rate))
 
 
 def launch(x, velocity_m_per_s):

@@ -44,6 +44,8 @@ final class CarriedSlopes {
     private final double[] passed;
     private final double[][] right;
     private final double[][] memory;
+    /** Parameters that lift a link. */
+    private final int[] lifting;
     /** Of what multiplies a law that goes by another link. */
     private final double[][] modulation;
     private final double[][] matrix;
@@ -96,6 +98,8 @@ final class CarriedSlopes {
         force = new double[links.length][count];
         moved = new double[count];
         passed = new double[count];
+        lifting = IntStream.range(0, run.lift().heightSlope().length)
+                .filter(p -> java.util.Arrays.stream(run.lift().heightSlope()[p]).anyMatch(each -> each.length > 0)).toArray();
         right = new double[m][count];
         memory = new double[m][count];
         modulation = new double[m][count];
@@ -173,11 +177,11 @@ final class CarriedSlopes {
             }
         }
         for (int g = 0; g < links.length; g++) {
-            read(g);
+            read(g, j + 1);
             java.util.Arrays.fill(force[g], 0);
             for (int i : links[g]) {
                 if (run.followed(i).follows()) {
-                    follow(run.followed(i), modulation[i]);
+                    follow(run.followed(i), modulation[i], j + 1);
                 }
                 rightSide(i, g, j);
                 add(force[g], right[i], 1);
@@ -271,8 +275,8 @@ final class CarriedSlopes {
         }
     }
 
-    /** Motion of a link by the state. */
-    private void read(int g) {
+    /** Motion of a link at a sample by the state, and by what lifts it. */
+    private void read(int g, int j) {
         int first = links[g][0];
         double[] r = displacement[g];
         double[] v = rate[g];
@@ -288,6 +292,11 @@ final class CarriedSlopes {
                 v[p] += b * value;
             }
         }
+        Lift lift = run.lift();
+        for (int p : lifting) {
+            r[p] -= Lift.at(lift.heightSlope()[p][laws[first].link], j);
+            v[p] -= Lift.at(lift.rateSlope()[p][laws[first].link], j);
+        }
     }
 
     /**
@@ -295,7 +304,7 @@ final class CarriedSlopes {
      *
      * @param target Modified.
      */
-    private void follow(FollowedLink other, double[] target) {
+    private void follow(FollowedLink other, double[] target, int j) {
         java.util.Arrays.fill(target, 0);
         double slope = other.slope();
         for (int k = 0; k < states; k++) {
@@ -304,6 +313,9 @@ final class CarriedSlopes {
             for (int p = 0; p < count; p++) {
                 target[p] += a * free[at + p];
             }
+        }
+        for (int p : lifting) {
+            target[p] += slope * other.liftSlope(run.lift(), p, j);
         }
         if (ofStructure && other.isLoad()) {
             target[other.link] += slope * other.displacement();

@@ -1,20 +1,35 @@
 package wbv.body.simulate;
 
+import java.util.function.IntFunction;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Spectra;
 import wbv.body.number.Numbers;
 import wbv.recording.Channel;
 
-/** The forces of an assembly's drives on an excitation, as spectra. */
+/** The forces of an assembly's drives on an excitation, and how far they lift the lower ends of links, as spectra. */
 final class DriveForces {
 
     private final Excitation excitation;
     private final Assembly assembly;
+    private final IntFunction<double[]> stiffness;
 
-    DriveForces(Excitation excitation, Assembly assembly) {
+    /** @param stiffness dynamic stiffness of a link, all that is linear in it: it carries that much less where its lower end is lifted */
+    DriveForces(Excitation excitation, Assembly assembly, IntFunction<double[]> stiffness) {
         this.excitation = excitation;
         this.assembly = assembly;
+        this.stiffness = stiffness;
+    }
+
+    /** How far drive d lifts the lower end of its link [m]; empty where it lifts none. */
+    double[] lift(int d) {
+        return assembly.drives().get(d).drive() instanceof Drive.Rotation rotation ? lift(rotation.rate(), rotation.arm()) : new double[0];
+    }
+
+    /** Derivative of that to a parameter; empty where there is none. */
+    double[] liftSlope(int d, int p) {
+        return assembly.drives().get(d).drive() instanceof Drive.Rotation rotation && p == assembly.driveIndex(d)
+                ? lift(rotation.rate(), 1) : new double[0];
     }
 
     /** Derivative of the force of drive d to a parameter; empty where there is none. */
@@ -106,7 +121,9 @@ final class DriveForces {
             return scaled(excitation.other(across.across()), across.mass());
         }
         Drive.Rotation rotation = (Drive.Rotation) drive;
-        return linkForceOfLift(place, lift(rotation.rate(), rotation.arm()));
+        double[] out = new double[2 * excitation.omega().length];
+        Spectra.addProduct(stiffness.apply(place), lift(rotation.rate(), rotation.arm()), -1, out);
+        return out;
     }
 
     /** How far two places are apart across, from their accelerations, times a factor. */
@@ -130,19 +147,6 @@ final class DriveForces {
         for (int k = 1; k < omega.length; k++) {
             out[2 * k] = arm * measured[2 * k + 1] / omega[k];
             out[2 * k + 1] = -arm * measured[2 * k] / omega[k];
-        }
-        return out;
-    }
-
-    /** The lower end is lifted: the link carries -(k + jωc) times the lift. */
-    private double[] linkForceOfLift(int link, double[] lift) {
-        double[] omega = excitation.omega();
-        double[] out = new double[lift.length];
-        double k = assembly.structure().stiffness()[link];
-        double c = assembly.structure().damping()[link];
-        for (int i = 0; i < omega.length; i++) {
-            out[2 * i] = -k * lift[2 * i] + omega[i] * c * lift[2 * i + 1];
-            out[2 * i + 1] = -k * lift[2 * i + 1] - omega[i] * c * lift[2 * i];
         }
         return out;
     }

@@ -13,7 +13,8 @@ import wbv.body.number.Modulator;
 final class FollowedLink {
 
     /** No link is followed. */
-    static final FollowedLink NONE = new FollowedLink(Modulator.NONE, -1, new double[0], new double[0], new double[0][], new double[0][]);
+    static final FollowedLink NONE = new FollowedLink(Modulator.NONE, -1, new double[0], new double[0], new double[0][], new double[0][], 0,
+            0);
 
     /** Index of the link; -1 for none. */
     final int link;
@@ -25,17 +26,26 @@ final class FollowedLink {
     private final double[][] motionRead;
     private final double[][] motionGive;
 
+    /** What the link's stiffness and damping, or 0 and 1, take of its displacement and velocity. */
+    private final double stiffness;
+    private final double damping;
+
+    private double height;
+    private double rising;
     private double sum;
     private double displacement;
     private double velocity;
 
-    private FollowedLink(Modulator modulator, int link, double[] read, double[] give, double[][] motionRead, double[][] motionGive) {
+    private FollowedLink(Modulator modulator, int link, double[] read, double[] give, double[][] motionRead, double[][] motionGive,
+            double stiffness, double damping) {
         this.modulator = modulator;
         this.link = link;
         this.read = read;
         this.give = give;
         this.motionRead = motionRead;
         this.motionGive = motionGive;
+        this.stiffness = stiffness;
+        this.damping = damping;
     }
 
     /** @param laws links of all laws */
@@ -62,7 +72,8 @@ final class FollowedLink {
             give[k] += laws[k] == link ? 1 : 0;
         }
         double[][] motion = {linear.reads(stretch, 1, 0), linear.reads(stretch, 0, 1)};
-        return new FollowedLink(modulator, link, read, give, motion, new double[][] {linear.gives(motion[0]), linear.gives(motion[1])});
+        return new FollowedLink(modulator, link, read, give, motion, new double[][] {linear.gives(motion[0]), linear.gives(motion[1])},
+                stiffness, damping);
     }
 
     /** Whether a link is followed. */
@@ -75,9 +86,22 @@ final class FollowedLink {
         return modulator.otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
     }
 
+    /** What lifts the link at a sample, the end of the step that follows. */
+    void lifted(Lift lift, int j) {
+        if (follows()) {
+            height = lift.height(link, j);
+            rising = lift.rate(link, j);
+        }
+    }
+
+    /** Derivative of the whole to a parameter that lifts the link. */
+    double liftSlope(Lift lift, int p, int j) {
+        return -stiffness * Lift.at(lift.heightSlope()[p][link], j) - damping * Lift.at(lift.rateSlope()[p][link], j);
+    }
+
     /** The whole, in the modulator's unit, with all laws' forces. */
     double whole(double[] y, double[] forces) {
-        return ModalStep.dot(read, y) + ModalStep.dot(give, forces);
+        return ModalStep.dot(read, y) + ModalStep.dot(give, forces) - stiffness * height - damping * rising;
     }
 
     /** What multiplies the law, in the modulator's unit. */
@@ -100,8 +124,8 @@ final class FollowedLink {
     /** Keeps the motion at the end of a step. */
     void settle(double[] y, double[] forces) {
         sum = whole(y, forces);
-        displacement = ModalStep.dot(motionRead[0], y) + ModalStep.dot(motionGive[0], forces);
-        velocity = ModalStep.dot(motionRead[1], y) + ModalStep.dot(motionGive[1], forces);
+        displacement = ModalStep.dot(motionRead[0], y) + ModalStep.dot(motionGive[0], forces) - height;
+        velocity = ModalStep.dot(motionRead[1], y) + ModalStep.dot(motionGive[1], forces) - rising;
     }
 
     /** Displacement of the link where the step has ended [m]. */

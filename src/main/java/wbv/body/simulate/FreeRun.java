@@ -72,6 +72,7 @@ public final class FreeRun {
     private IntToDoubleFunction later = sample -> 0;
     private final LinkMotion[] motions;
     private double[][] modulation;
+    private Lift lift;
     /** The same in short steps, by which one in which a force jumps is gone through. */
     private final Optional<FreeRun> parted;
 
@@ -111,6 +112,13 @@ public final class FreeRun {
         return this;
     }
 
+    /** The same where the lower ends of links are lifted. */
+    FreeRun lifted(Lift by) {
+        lift = by;
+        parted.ifPresent(finer -> finer.lifted(by.ofLength(PARTS + 1)));
+        return this;
+    }
+
     private FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation, int divisions,
             ModalBasis basis) {
         this.parted = divisions > 0
@@ -129,6 +137,7 @@ public final class FreeRun {
             count += this.laws[i].parameters;
         }
         this.parameters = count;
+        this.lift = Lift.none(structure.links(), 0);
         int own = sensitivities == Sensitivities.ALL ? structure.parameters() : 0;
         DMatrixRMaj[] da = new DMatrixRMaj[own];
         DMatrixRMaj[] db = new DMatrixRMaj[own];
@@ -165,8 +174,8 @@ public final class FreeRun {
      * What a run gave.
      *
      * @param force        force of each law [N], by law and sample
-     * @param displacement of each law's link [m], by law and sample
-     * @param velocity     of each law's link [m/s], by law and sample
+     * @param displacement of each law's link as the law sees it [m], by law and sample
+     * @param velocity     likewise [m/s]
      * @param slope        derivative of each law force [N per the parameter's unit], by law, parameter and sample; empty without
      *                     sensitivities
      * @param diverged     first sample at which the motion left all bounds, -1 if it never did; from there everything is 0
@@ -252,6 +261,12 @@ public final class FreeRun {
     private static void between(double[] series, int j, double[] out) {
         for (int k = 0; k <= PARTS && series.length > 0; k++) {
             out[k] = series[j] + (series[j + 1] - series[j]) * k / PARTS;
+        }
+    }
+
+    private static void between(double[][] series, int j, double[][] out) {
+        for (int l = 0; l < series.length; l++) {
+            between(series[l], j, out[l]);
         }
     }
 
@@ -359,12 +374,10 @@ public final class FreeRun {
             int m = now.length;
             parts.run.linear.kept(old, last, parts.y);
             java.util.Arrays.fill(parts.run.gradients, Double.NaN);
-            for (int axis = 0; axis < acceleration.length; axis++) {
-                between(acceleration[axis], j, shaken[axis]);
-            }
-            for (int b = 0; b < bodyForce.length; b++) {
-                between(bodyForce[b], j, pushed[b]);
-            }
+            between(acceleration, j, shaken);
+            between(bodyForce, j, pushed);
+            between(run.lift.height(), j, parts.run.lift.height());
+            between(run.lift.rate(), j, parts.run.lift.rate());
             for (int i = 0; i < m; i++) {
                 modulated[i] = modulation[i].length == 0 ? modulation[i] : modulated[i].length == 0 ? new double[PARTS + 1] : modulated[i];
                 between(modulation[i], j, modulated[i]);
@@ -380,9 +393,11 @@ public final class FreeRun {
             }
             if (carried.isPresent()) {
                 for (int p = 0; p < forceSlope.length; p++) {
-                    for (int b = 0; b < forceSlope[p].length; b++) {
-                        between(forceSlope[p][b], j, parts.forceSlope[p][b]);
-                    }
+                    between(forceSlope[p], j, parts.forceSlope[p]);
+                }
+                for (int p = 0; p < run.lift.heightSlope().length; p++) {
+                    between(run.lift.heightSlope()[p], j, parts.run.lift.heightSlope()[p]);
+                    between(run.lift.rateSlope()[p], j, parts.run.lift.rateSlope()[p]);
                 }
                 parts.carried.get().goOnFrom(carried.get());
                 for (int i = 0; i < m; i++) {
@@ -442,8 +457,10 @@ public final class FreeRun {
     /** Solves the laws of every link at the end of the step, link after link until nothing moves; leaves every law's motion there. */
     private void solve(double[] y, double[] now, double[] memory, int j) {
         for (int[] link : together) {
-            reached[link[0]] = ModalStep.dot(linear.stretch[link[0]], y);
-            passing[link[0]] = ModalStep.dot(linear.rate[link[0]], y);
+            int at = laws[link[0]].link;
+            reached[link[0]] = ModalStep.dot(linear.stretch[link[0]], y) - lift.height(at, j + 1);
+            passing[link[0]] = ModalStep.dot(linear.rate[link[0]], y) - lift.rate(at, j + 1);
+            followed[link[0]].lifted(lift, j + 1);
             for (int i : link) {
                 begin(motions[i], i, memory[i], j);
             }
@@ -600,6 +617,11 @@ public final class FreeRun {
 
     Structure structure() {
         return structure;
+    }
+
+    /** What lifts the links. Not a copy. */
+    Lift lift() {
+        return lift;
     }
 
     /** Not a copy. */

@@ -141,6 +141,21 @@ public final class Simulator {
         return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
     }
 
+    /** How far each link's lower end is lifted beside the motion of the bodies [m], as spectra; empty where nothing lifts it. */
+    public double[][] lifts(Assembly assembly) {
+        DriveForces drives = new DriveForces(excitation, assembly, link -> new double[0]);
+        double[][] out = new double[assembly.structure().links()][0];
+        for (int d = 0; d < assembly.drives().size(); d++) {
+            double[] lift = drives.lift(d);
+            if (lift.length > 0) {
+                int link = assembly.drives().get(d).place();
+                Spectra.add(lift, out[link], 1);
+                out[link] = lift;
+            }
+        }
+        return out;
+    }
+
     /**
      * The linear assembly that comes nearest in the motion of this excitation: each law that is not linear gives way to the stiffness and
      * the damping that make up for most of its force (equivalent linearisation, Caughey 1963). What acts beside the excitation and is
@@ -254,7 +269,7 @@ public final class Simulator {
             this.from = sensitivities.from(structure.parameters());
             this.linear = assembly.laws().stream().allMatch(at -> at.law().isLinear());
             response.solve(structure, further());
-            drives = new DriveForces(excitation, assembly);
+            drives = new DriveForces(excitation, assembly, response::stiffness);
             driveForce = IntStream.range(0, assembly.drives().size()).mapToObj(drives::of).toArray(double[][]::new);
             q = response.motion();
             for (int d = 0; d < driveForce.length; d++) {
@@ -265,7 +280,7 @@ public final class Simulator {
             if (linear) {
                 for (int i = 0; i < lawForce.length; i++) {
                     LawAt at = assembly.laws().get(i);
-                    lawForce[i] = Spectra.product(dynamicStiffness(at.law()), response.stretch(at.link(), q));
+                    lawForce[i] = Spectra.product(dynamicStiffness(at.law()), deflection(at.link()));
                 }
             } else {
                 freeRun();
@@ -339,7 +354,7 @@ public final class Simulator {
             this.from = 0;
             this.linear = true;
             response.solve(structure, further());
-            drives = new DriveForces(excitation, assembly);
+            drives = new DriveForces(excitation, assembly, response::stiffness);
             bends = Optional.empty();
             driveForce = new double[0][];
             q = new double[0][];
@@ -402,9 +417,18 @@ public final class Simulator {
                     slopes[from + p][o] = readingSlopes[p];
                 }
             }
-            double[][] stretch = IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, q)).toArray(double[][]::new);
+            double[][] stretch = IntStream.range(0, structure.links()).mapToObj(this::deflection).toArray(double[][]::new);
             return new Response(out, slopes, lawForce, stretch, diverged, bends,
                     IntStream.range(0, outputs).mapToObj(o -> sensing.recorded(assembly, o)).toArray(double[][]::new));
+        }
+
+        /** The relative displacement of a link as springs and laws see it, a new spectrum: less what lifts its lower end. */
+        private double[] deflection(int link) {
+            double[] out = response.stretch(link, q);
+            if (driveForce.length > 0) {
+                Spectra.add(out, lifts(assembly)[link], -1);
+            }
+            return out;
         }
 
         /** Dynamic stiffness that linear laws add to their links; nothing if a free run will give their forces. */
@@ -458,7 +482,7 @@ public final class Simulator {
                 knownSlope[p - from] = any ? bodySeries(slopes, p) : new double[0][];
             }
             FreeRun.Run result = freeRun(sensitivities, new Modulations(excitation).of(assembly.laws()))
-                    .run(excitation.fineBase(), known, sensitivities.any(), knownSlope);
+                    .lifted(lift(moving)).run(excitation.fineBase(), known, sensitivities.any(), knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
                 lawForce[i] = excitation.spectrumOfForce(result.force()[i]);
@@ -468,6 +492,44 @@ public final class Simulator {
                             : new double[0];
                 }
             }
+        }
+
+        /**
+         * What lifts the links in a free run, from nothing at its start: there a link is at rest with its lower end where it is.
+         *
+         * @param moving parameters that move anything
+         */
+        private Lift lift(int moving) {
+            Lift lift = Lift.none(structure.links(), Math.max(0, moving - from));
+            for (int d = 0; d < driveForce.length; d++) {
+                int link = assembly.drives().get(d).place();
+                raise(drives.lift(d), link, lift.height(), lift.rate());
+                for (int p = from; p < moving; p++) {
+                    raise(drives.liftSlope(d, p), link, lift.heightSlope()[p - from], lift.rateSlope()[p - from]);
+                }
+            }
+            return lift;
+        }
+
+        /**
+         * Adds to how a link is lifted.
+         *
+         * @param by spectrum [m]; empty where nothing
+         * @param height by link. Modified.
+         * @param rate by link. Modified.
+         */
+        private void raise(double[] by, int link, double[][] height, double[][] rate) {
+            if (by.length == 0) {
+                return;
+            }
+            double[] risen = excitation.fineSeries(by);
+            double start = risen[0];
+            java.util.Arrays.setAll(risen, j -> risen[j] - start);
+            double[] rising = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), by));
+            Spectra.add(risen, height[link], 1);
+            Spectra.add(rising, rate[link], 1);
+            height[link] = risen;
+            rate[link] = rising;
         }
 
         /** Laws of the link of one, in their order. */
@@ -509,12 +571,34 @@ public final class Simulator {
             }
             double[][] series = java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
             for (int d = 0; d < forces.length; d++) {
+                stand(d, parameter, series);
                 // Straight from its first sample to nothing at the next, a force is a blow of half a step times its size.
                 if (assembly.drives().get(d).drive() instanceof Drive.Launch) {
                     series[assembly.drives().get(d).place()][0] += 2 / excitation.fineStep() * launch(d, parameter);
                 }
             }
             return series;
+        }
+
+        /**
+         * Lets a link that is lifted stand, at the start, on its lower end where that is then.
+         *
+         * @param parameter to which series are derivatives; -1: themselves
+         * @param series by body. Modified.
+         */
+        private void stand(int d, int parameter, double[][] series) {
+            int link = assembly.drives().get(d).place();
+            double[] by = parameter == assembly.driveIndex(d) ? drives.liftSlope(d, parameter)
+                    : parameter < 0 || parameter == link ? drives.lift(d) : new double[0];
+            if (by.length > 0) {
+                double carried = (parameter == link ? 1 : structure.stiffness()[link]) * excitation.fineSeries(by)[0];
+                Row row = structure.stretch(link);
+                for (int i = 0; i < row.at().length; i++) {
+                    double[] pulled = series[row.at()[i]];
+                    double force = -row.by()[i] * carried;
+                    java.util.Arrays.setAll(pulled, j -> pulled[j] + force);
+                }
+            }
         }
 
         /**
@@ -579,7 +663,7 @@ public final class Simulator {
             for (int k = 0; k < high.length; k++) {
                 high[k] = (high[k] - low[k]) / (2 * h);
             }
-            return Spectra.product(high, response.stretch(assembly.laws().get(i).link(), q));
+            return Spectra.product(high, deflection(assembly.laws().get(i).link()));
         }
 
         /** Reading of an output, or of its derivative to parameter p (-1: the reading itself), as a new spectrum. */

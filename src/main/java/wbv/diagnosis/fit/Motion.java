@@ -66,8 +66,12 @@ public final class Motion implements ModulatorSeries.Links {
             blended[b] = modelled[b].clone();
             measuring(assembly, body).ifPresent(output -> blend(blended[body], excitation.spectrum(evidence.measured(output)), omega));
         }
+        double[][] lifts = new Simulator(excitation).lifts(assembly);
         for (int l = 0; l < links; l++) {
             double[] relative = excitation.stretching(assembly.structure(), l, blended);
+            for (int i = 0; i < lifts[l].length; i++) {
+                relative[i] += omega[i / 2] * omega[i / 2] * lifts[l][i];   // less the acceleration with which its lower end is lifted
+            }
             double[] r = new double[2 * omega.length];
             double[] v = new double[2 * omega.length];
             for (int k = 1; k < omega.length; k++) {

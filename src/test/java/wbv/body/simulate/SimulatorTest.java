@@ -94,6 +94,14 @@ class SimulatorTest {
                 new Assembly(CHAIN, List.of(new LawAt(1, new BoucWen(0.4, 8e-4)), new LawAt(0, new QuadraticDamping(500)),
                         new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head, new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()))),
+                new Assembly(CHAIN, List.of(new LawAt(1, new MaxwellArm(30000, 0.05))), List.of(lifted(1, 0.1), lifted(0, -0.05)),
+                        List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new BoucWen(0.4, 8e-4)), new LawAt(0, new QuadraticDamping(500))),
+                        List.of(lifted(1, 0.1), lifted(0, -0.05), lifted(1, 0.02)),
+                        List.of(head, new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()))),
+                new Assembly(CHAIN, List.of(new LawAt(1, learned("r", "load of link 3", 300)),
+                        new LawAt(0, learned("|v|v", "magnitude of the deflection of link 3", 4e6))), List.of(lifted(2, 0.1)),
+                        List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(1, learned("r", "load of link 3", 300)), new LawAt(2, new QuadraticDamping(300))),
                         List.of(), List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, learned("1", "positive part of the deflection of link 2", 30000)),
@@ -120,6 +128,10 @@ class SimulatorTest {
     private static Assembly faulty(SensorFault fault) {
         return new Assembly(CHAIN, List.of(), List.of(),
                 List.of(output(1), new Assembly.Output(2, Assembly.Reading.ACCELERATION, List.of(fault))));
+    }
+
+    private static Assembly.DriveAt lifted(int link, double arm) {
+        return new Assembly.DriveAt(link, new Drive.Rotation(RATE, arm));
     }
 
     private static Assembly.Output output(int body) {
@@ -313,6 +325,46 @@ class SimulatorTest {
             // A force in a link pulls its ends together: on the body it is the same with the other sign.
             assertEquals(-expectedRe, inLink[0][2 * k], 1e-9);
             assertEquals(-expectedIm, inLink[0][2 * k + 1], 1e-9);
+        }
+    }
+
+    static Stream<Law> lawsThatSeeALift() {
+        return Stream.of(new MaxwellArm(30000, 0.05), new CubicSpring(4e8), new QuadraticDamping(4000), new BoucWen(0.4, 8e-4),
+                learned("r", "deflection of link 1", 2e6), learned("v", "positive part of the load of link 1", 5));
+    }
+
+    /** Whether the base carries a link up or rotation lifts its lower end: its spring, its dashpot and its laws cannot tell. */
+    @ParameterizedTest
+    @MethodSource("lawsThatSeeALift")
+    void liftingTheLowestLinkIsMovingTheBase(Law law) {
+        double rate = 60;
+        double arm = 0.3;
+        double w = 2 * Math.PI * 2.9;
+        DoubleUnaryOperator envelope = t -> 0.05 * Math.exp(-Math.pow((t - 7) / 1.5, 2));
+        DoubleUnaryOperator slope = t -> -2 * (t - 7) / 2.25 * envelope.applyAsDouble(t);
+        DoubleUnaryOperator bend = t -> (4 * Math.pow((t - 7) / 2.25, 2) - 2 / 2.25) * envelope.applyAsDouble(t);
+        DoubleUnaryOperator turning = t -> slope.applyAsDouble(t) * Math.sin(w * t) + w * envelope.applyAsDouble(t) * Math.cos(w * t);
+        DoubleUnaryOperator spin = t -> bend.applyAsDouble(t) * Math.sin(w * t) + 2 * w * slope.applyAsDouble(t) * Math.cos(w * t)
+                - w * w * envelope.applyAsDouble(t) * Math.sin(w * t);
+        int n = 900;
+        List<Assembly.Output> outputs = List.of(output(0), output(2), new Assembly.Output(0, Assembly.Reading.LINK_FORCE, List.of()));
+        double[] moved = Arrays.stream(sampled(spin, n, rate)).map(a -> arm * a).toArray();
+        Simulator.Response carried = new Simulator(new Excitation(rate, moved, Map.of()))
+                .run(new Assembly(CHAIN, List.of(new LawAt(0, law)), List.of(), outputs), false);
+        Excitation still = new Excitation(rate, new double[n], Map.of(RATE, sampled(turning, n, rate)));
+        Simulator.Response risen = new Simulator(still)
+                .run(new Assembly(CHAIN, List.of(new LawAt(0, law)), List.of(lifted(0, arm)), outputs), false);
+        double[][][] pairs = {{carried.outputs()[0], risen.outputs()[0]}, {carried.outputs()[1], risen.outputs()[1]},
+            {carried.outputs()[2], risen.outputs()[2]}, {carried.stretch()[0], risen.stretch()[0]},
+            {carried.forces()[0], risen.forces()[0]}};
+        for (double[][] pair : pairs) {
+            double size = 0;
+            double apart = 0;
+            for (int i = 2; i < pair[0].length; i++) {
+                size = Math.max(size, Math.abs(pair[0][i]));
+                apart = Math.max(apart, Math.abs(pair[0][i] - pair[1][i]));
+            }
+            assertEquals(0, apart / size, 1e-4, law.toString());   // a force is straight within a step, an acceleration too
         }
     }
 
