@@ -227,7 +227,8 @@ public final class ModelFile {
 
     /** How many words are in one set alone. */
     private static int apart(Set<String> one, Set<String> other) {
-        return (int) (one.stream().filter(word -> !other.contains(word)).count() + other.stream().filter(word -> !one.contains(word)).count());
+        return (int) (one.stream().filter(word -> !other.contains(word)).count()
+                + other.stream().filter(word -> !one.contains(word)).count());
     }
 
     private static Model.HiddenMode hidden(JsonPlace at) {

@@ -52,9 +52,24 @@ final class Naming {
         return nothing ? Optional.empty() : Optional.of(poor ? unsure(values, claimed, locate.get()) : sure(values, claimed));
     }
 
+    /**
+     * What comes nearest where no name is the answer, to predict with: empty where data not used do not surely go better with it, or where
+     * it stands at a bound that nothing real has.
+     */
+    Optional<Explanation> nearest(List<Diagnosis.Latent> places) {
+        boolean real = best != base && !Search.extreme(best) && grounds.foretells(best);
+        List<Diagnosis.Proof> proofs = real ? grounds.shown().figures(best).channels() : List.of();
+        boolean better = proofs.stream().anyMatch(proof -> proof.removed().low() > 0)
+                && proofs.stream().noneMatch(proof -> proof.removed().high() < 0);
+        Values values = new Values(grounds.evidence(), best);
+        return better ? Optional.of(unsure(values, claimed(values, 1 - Priors.HELD), places)) : Optional.empty();
+    }
+
     private Explanation unsure(Values values, Map<Hypothesis, Diagnosis.Named> claimed, List<Diagnosis.Latent> places) {
-        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, values.fit(), values.scale(), List.copyOf(claimed.values()),
-                standing.rivals(1 - standing.probability()), places, grounds.words().entering(places));
+        List<Diagnosis.Named> missing = List.copyOf(claimed.values());
+        String nearest = grounds.words().nearest(missing, standing.explained(), grounds.heldAfter());
+        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, values.fit(), values.scale(), missing,
+                standing.rivals(1 - standing.probability()), places, grounds.words().entering(places) + nearest);
     }
 
     private Explanation sure(Values values, Map<Hypothesis, Diagnosis.Named> claimed) {

@@ -135,9 +135,14 @@ final class Standing {
      * @param most probability that they may have together
      */
     List<Diagnosis.Named> rivals(double most) {
-        double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
+        return names(Set.of(found()), most);
+    }
+
+    /** The same beside what is told otherwise. */
+    List<Diagnosis.Named> names(Set<Claim> told, double most) {
+        double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !told.contains(claim));
         double scale = sum > most ? most / sum : 1;
-        Set<Claim> seen = new HashSet<>(Set.of(found()));
+        Set<Claim> seen = new HashSet<>(told);
         return weights.stream().filter(weight -> seen.add(weight.claim())).flatMap(weight -> weight.fit().candidate().added().stream()
                 .filter(hypothesis -> !isOwn(hypothesis)).limit(1)
                 .map(other -> named(other, weight.fit(), scale * posterior.of(weight.claim())).with(weight.numbers())))

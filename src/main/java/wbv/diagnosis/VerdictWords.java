@@ -84,10 +84,7 @@ final class VerdictWords {
 
     /** @param rivals what else it may be, likeliest first */
     String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals, String ending, boolean untold) {
-        String found = missing.stream().map(named -> Phrases.of(evidence.library(), named))
-                .reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
-                        + next.substring(1))
-                .orElse("");
+        String found = found(missing);
         return switch (verdict) {
             case NOTHING_MISSING -> String.format(Locale.ROOT,
                     "Nothing is missing: the model as given leaves %.2f times the noise%s", given.reduced(), ending);
@@ -102,6 +99,11 @@ final class VerdictWords {
             case AMBIGUOUS -> found + ending + apart(missing, rivals);
             case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
         };
+    }
+
+    private String found(List<Diagnosis.Named> missing) {
+        return missing.stream().map(named -> Phrases.of(evidence.library(), named))
+                .reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT) + next.substring(1)).orElse("");
     }
 
     /**
@@ -176,6 +178,17 @@ final class VerdictWords {
         return places.isEmpty() ? "."
                 : String.format(Locale.ROOT, "; an arbitrary signal at the %s %s would leave %.3g times.", places.get(0).kind(),
                         places.get(0).where(), places.get(0).reduced());
+    }
+
+    /**
+     * What comes nearest where no name is the answer, a sentence of its own.
+     *
+     * @param explained part of the mismatch [1]
+     * @param after what it leaves on data not used
+     */
+    String nearest(List<Diagnosis.Named> named, double explained, double after) {
+        return " Nearest in the library: " + found(named) + "; explains " + Phrases.percent(explained) + " of the mismatch, "
+                + Phrases.percent(Math.max(0, (heldBefore - after) / Math.max(heldBefore - 1, 1e-9))) + " on data not used.";
     }
 
     /** What the noise holds beside that of sensors, to end a sentence. */

@@ -24,17 +24,18 @@ final class Verdicts {
     private final Grounds grounds;
     private final Evidence evidence;
     private final Fitter.State base;
+    private final Naming naming;
 
     /** @param heldBefore what the fitted model without anything found leaves on data not used */
     Verdicts(Standing standing, double heldBefore, Search search) {
         this.grounds = new Grounds(standing, heldBefore, search);
         this.evidence = grounds.evidence();
         this.base = grounds.base();
+        this.naming = new Naming(grounds);
     }
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
-        Naming naming = new Naming(grounds);
         boolean named = naming.isWorth();
         Explanation sought = new Pushes(grounds).instead(named)
                 .or(() -> named ? naming.explanation(locate) : imitated().or(this::lateSensor)).orElseGet(() -> nothing(locate));
@@ -109,8 +110,8 @@ final class Verdicts {
     }
 
     private Explanation unexplained(List<Diagnosis.Latent> places) {
-        return new Explanation(Diagnosis.Verdict.UNEXPLAINED, base, grounds.scale(), List.of(), grounds.standing().rivals(1 - Priors.HELD),
-                places, grounds.words().entering(places));
+        return naming.nearest(places).orElseGet(() -> new Explanation(Diagnosis.Verdict.UNEXPLAINED, base, grounds.scale(), List.of(),
+                grounds.standing().names(Set.of(), 1 - Priors.HELD), places, grounds.words().entering(places)));
     }
 
     /**

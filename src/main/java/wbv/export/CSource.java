@@ -270,7 +270,8 @@ final class CSource {
     }
 
     private void drive() {
-        line("/* Forces beside the base and the laws: in links, pulling their ends together, and on bodies; and what lifts links' lower ends. */");
+        line("/* Forces beside the base and the laws: in links, pulling their ends together, and on bodies; "
+                + "and what lifts links' lower ends. */");
         line("static void drive(Model *s, const double *u, double t) {\n    const double *p = s->p;\n    (void) p, (void) u, (void) t;");
         line("    memset(s->link_drive, 0, sizeof s->link_drive);\n    memset(s->body_drive, 0, sizeof s->body_drive);");
         line("    memset(s->lift, 0, sizeof s->lift);\n    memset(s->rise, 0, sizeof s->rise);");

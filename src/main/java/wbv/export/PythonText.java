@@ -169,7 +169,7 @@ final class PythonText {
 
     private void drives() {
         line("\n\ndef drives(x):");
-        line("    \"\"\"Forces beside the base and the laws, as spectra [N]: on a body, or pulling the ends of a link together; how far links are lifted [m].\"\"\"");
+        line("    \"\"\"Beside the base and the laws, as spectra: forces on a body or in a link, pulling its ends together [N]; a link's lift [m].\"\"\"");
         line("    return [");
         for (Assembly.DriveAt at : assembly.drives()) {
             Drive drive = at.drive();

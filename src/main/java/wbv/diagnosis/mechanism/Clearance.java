@@ -7,6 +7,7 @@ import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import wbv.body.law.Backlash;
 import wbv.body.law.EngagingFriction;
 import wbv.body.law.RoundedBacklash;
@@ -17,6 +18,12 @@ record Clearance() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("contact.backlash", Family.CONTACT, "There is play in %s");
+    }
+
+    @Override
+    public String sentence(Set<String> keys) {
+        return keys.contains("engagement_m") ? "Friction in %s lets go where the motion turns round, and engages again over a travel"
+                : entry().sentence();
     }
 
     @Override

@@ -1,6 +1,7 @@
 package wbv.diagnosis.mechanism;
 
 import java.util.List;
+import java.util.Set;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -128,6 +129,15 @@ public sealed interface Mechanism
     /** Whether a recording shows it without any fit. */
     default boolean showsWithoutFit() {
         return false;
+    }
+
+    /**
+     * What is said of one that was found, with {@code %s} for its place.
+     *
+     * @param keys of the numbers that were found, which tell its form
+     */
+    default String sentence(Set<String> keys) {
+        return entry().sentence();
     }
 
     /** The word of the vocabulary. */

@@ -137,22 +137,23 @@ final class DiagnosisPage {
     private Table found() {
         List<List<String>> rows = new ArrayList<>();
         for (Diagnosis.Named named : diagnosis.missing()) {
-            String what = named.mechanism() + " at " + named.where();
+            String place = named.mechanism() + " at " + named.where();
             for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
                 DisplayedNumber amount = DisplayedNumber.of(entry.getKey());
                 Optional<Interval> interval = Optional.ofNullable(named.intervals().get(entry.getKey()));
                 double value = amount.factor() * entry.getValue();
-                rows.add(List.of(what, amount.label(),
+                rows.add(List.of(place, amount.label(),
                         interval.map(i -> value(value, half(i, amount))).orElseGet(() -> Digits.significant(value, 4)),
                         interval.map(i -> range(i, amount)).orElse(""), amount.unit(),
                         interval.map(i -> i.from().name().toLowerCase(Locale.ROOT)).orElse("")));
-                what = "";
+                place = "";
             }
             if (named.parameters().isEmpty()) {
-                rows.add(List.of(what, "", "", "", "", ""));
+                rows.add(List.of(place, "", "", "", "", ""));
             }
         }
-        return new Table("What was found. An interval is read off the curvature of the cost where that is a parabola, off the "
+        String what = diagnosis.verdict().isRefusal() ? "What comes nearest, and is in the completed model." : "What was found.";
+        return new Table(what + " An interval is read off the curvature of the cost where that is a parabola, off the "
                 + "profile of the cost where it is not",
                 List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
                         Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"),
