@@ -66,7 +66,7 @@ final class Learning {
         boolean pushed = found.isPush() && mayBeLaw(found, fits.base());
         boolean refused = isRefused(found) || pushed;
         boolean doubts = !refused && LawProof.doubts(fits);
-        boolean lacks = !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
+        boolean lacks = !isRefused(found) && !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         // A law in place of a name that explains nearly all differs from it by little, as a form of it does: what that may gain shows
         // beside the name. Two at one place it may outweigh and gain nothing.
         boolean near = Refinement.explainsNearlyAll(fits.base(), fits.best()) && !LawProof.isTwofold(fits);

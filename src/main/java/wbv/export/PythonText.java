@@ -169,7 +169,7 @@ final class PythonText {
 
     private void drives() {
         line("\n\ndef drives(x):");
-        line("    \"\"\"Beside the base and the laws, as spectra: forces on a body or in a link, pulling its ends together [N]; a link's lift [m].\"\"\"");
+        line("    \"\"\"Beside base and laws, as spectra: forces on bodies or pulling links together [N], and what lifts links [m].\"\"\"");
         line("    return [");
         for (Assembly.DriveAt at : assembly.drives()) {
             Drive drive = at.drive();

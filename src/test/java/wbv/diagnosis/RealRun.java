@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import java.util.stream.DoubleStream;
 import wbv.body.Model;
 import wbv.body.ModelFile;
@@ -30,6 +31,9 @@ import wbv.signal.Differentiator;
 final class RealRun {
 
     static final Path REAL = Path.of("../shared/real");
+    /** Error of the given simulation by earthquake [N]. */
+    private static final Map<String, Integer> LUGRE = new TreeMap<>(
+            Map.of("ImperialValleyDBE", 2041, "ImperialValleyMCE", 2970, "KocaeliDBE", 3131, "KocaeliMCE", 3341));
 
     private RealRun() {}
 
@@ -73,22 +77,21 @@ final class RealRun {
     }
 
     static List<Row> friction() throws IOException {
-        List<String> quakes = List.of("ImperialValleyDBE", "ImperialValleyMCE", "KocaeliDBE", "KocaeliMCE");
-        int[] given = {2041, 2970, 3131, 3341};
         List<Row> rows = new ArrayList<>();
-        double mean = 0;
-        for (int i = 0; i < quakes.size(); i++) {
-            List<Recording> training = training(quakes, quakes.get(i));
-            Diagnosis d = diagnose("friction_damper", joined(training), Optional.of(Channel.parse("lugre.force.z")));
-            Recording test = quake(quakes.get(i));
-            double error = error(d, test, 0, test.length());
-            mean += error / quakes.size();
-            rows.add(new Row("friction damper, harmonics and the other three earthquakes, LuGre given", named(d),
-                    d.verdict().word(), quakes.get(i), error,
-                    "N", "LuGre " + given[i]));
+        for (String quake : LUGRE.keySet()) {
+            rows.add(friction(quake));
         }
+        double mean = rows.stream().mapToDouble(Row::error).average().orElseThrow();
         rows.add(new Row("", "", "", "mean of the four", mean, "N", "LuGre 2871"));
         return rows;
+    }
+
+    static Row friction(String quake) throws IOException {
+        List<Recording> training = training(List.copyOf(LUGRE.keySet()), quake);
+        Diagnosis d = diagnose("friction_damper", joined(training), Optional.of(Channel.parse("lugre.force.z")));
+        Recording test = quake(quake);
+        return new Row("friction damper, harmonics and the other three earthquakes, LuGre given", named(d), d.verdict().word(), quake,
+                error(d, test, 0, test.length()), "N", "LuGre " + LUGRE.get(quake));
     }
 
     /**

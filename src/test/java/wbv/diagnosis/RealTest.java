@@ -29,6 +29,16 @@ class RealTest {
         assertTrue(row.error() <= 0.26, row.toString());
     }
 
+    /** Whether the friction that engages again is named or refused, the model with it comes, and foretells an earthquake it has not seen. */
+    @Tag("slow")
+    @Test
+    void whatComesNearestToTheFrictionDamperForetellsAnEarthquake() throws IOException {
+        assumeTrue(RealRun.isThere(), "no recordings of others in " + RealRun.REAL);
+        RealRun.Row row = RealRun.friction("KocaeliDBE");
+        assertTrue(row.named().equals("contact.backlash"), row.toString());
+        assertTrue(row.error() < 0.6 * 3131, row.toString());
+    }
+
     @Tag("slow")
     @Test
     void theCoupledDrivesSpeedSensorLosesTheSign() throws IOException {

@@ -155,6 +155,16 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
+     * Numbers of a hypothesis, each in its unit.
+     *
+     * @param hypothesis one that was added
+     * @param x coordinates [1], one a knob. Not modified.
+     */
+    public double[] values(Hypothesis hypothesis, double[] x) {
+        return Arrays.stream(positions(hypothesis)).mapToDouble(i -> knobs.get(i).value(x[i])).toArray();
+    }
+
+    /**
      * Positions of a hypothesis' numbers among the knobs.
      *
      * @param hypothesis one that was added

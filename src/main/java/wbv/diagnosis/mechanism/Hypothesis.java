@@ -172,6 +172,11 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
         return kind.word();
     }
 
+    /** Keys of its numbers, in their order. */
+    public List<String> keys() {
+        return numbers.stream().map(Number::key).toList();
+    }
+
     /** How many numbers a fit finds. */
     public int free() {
         return (int) numbers.stream().filter(Number::isFree).count();

@@ -65,14 +65,10 @@ final class FurtherForm {
     private List<Fitter.State> shorter(Fitter.State further) {
         Hypothesis found = further.candidate().last();
         return all.stream()
-                .filter(form -> form.claim().equals(found.claim()) && form.free() < found.free() && keys(form).equals(keys(found)))
+                .filter(form -> form.claim().equals(found.claim()) && form.free() < found.free() && form.keys().equals(found.keys()))
                 .flatMap(form -> refinement.polished(base.candidate(), form, numbers(further), further.frame(), List.of(values(further)))
                         .stream())
                 .toList();
-    }
-
-    private static List<String> keys(Hypothesis form) {
-        return form.numbers().stream().map(Hypothesis.Number::key).toList();
     }
 
     private static int more(Fitter.State further, Fitter.State simpler) {
@@ -96,7 +92,6 @@ final class FurtherForm {
 
     /** Numbers of the mechanism, each in its unit. */
     private static double[] values(Fitter.State fit) {
-        return Arrays.stream(fit.candidate().positions(fit.candidate().last()))
-                .mapToDouble(i -> fit.candidate().knobs().get(i).value(fit.x()[i])).toArray();
+        return fit.candidate().values(fit.candidate().last(), fit.x());
     }
 }

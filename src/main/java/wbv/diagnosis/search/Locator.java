@@ -80,14 +80,11 @@ public final class Locator {
     }
 
     /**
-     * Pairs of places, best first; none where there are too few outputs to show that a third would not do.
+     * Pairs of places, best first; where outputs are too few to show what two leave, as the first of the two fits by itself.
      *
      * @param all places one by one
      */
     List<Known.Ignoring> pairs(List<Known.Ignoring> all) {
-        if (evidence.outputs().size() < FEWEST_OUTPUTS) {
-            return List.of();
-        }
         List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<List<Place>> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(Effort.PLACES, singles.size()); i++) {
@@ -95,7 +92,18 @@ public final class Locator {
                 asked.add(List.of(singles.get(i).places().get(0), second.places().get(0)));
             }
         }
-        return found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
+        return isBlindToTwo() ? asked.stream().map(pair -> left(singles, pair)).toList()
+                : found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
+    }
+
+    /** Whether outputs are so few that two places explain anything. */
+    boolean isBlindToTwo() {
+        return evidence.outputs().size() < FEWEST_OUTPUTS;
+    }
+
+    private static Known.Ignoring left(List<Known.Ignoring> singles, List<Place> pair) {
+        Known.Ignoring first = singles.stream().filter(found -> found.places().get(0).equals(pair.get(0))).findFirst().orElseThrow();
+        return new Known.Ignoring(pair, first.x(), first.reduced());
     }
 
     /**

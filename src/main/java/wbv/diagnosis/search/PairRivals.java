@@ -40,18 +40,24 @@ public final class PairRivals {
 
     /**
      * A pair, and the same with another mechanism in the place of one of its parts, or with a form of it that has fewer numbers, fitted;
-     * none that stands at a bound that nothing real has. Nothing of what is no pair.
+     * none that stands at a bound that nothing real has, and no form whose further numbers do not pay. Nothing of what is no pair.
      */
     public List<Fitter.State> with(Fitter.State pair) {
         List<Hypothesis> parts = pair.candidate().added();
-        return parts.size() != 2 ? List.of()
+        List<Fitter.State> all = parts.size() != 2 ? List.of()
                 : Stream.of(Stream.of(pair), inPlace(parts.get(0), parts.get(1), pair), inPlace(parts.get(1), parts.get(0), pair))
                         .flatMap(fits -> fits).toList();
+        return all.stream().filter(fit -> all.stream().noneMatch(simpler -> isEnough(simpler, fit))).toList();
+    }
+
+    /** Whether a form of fewer numbers of the same laws does as well as another. */
+    private boolean isEnough(Fitter.State simpler, Fitter.State fit) {
+        int more = free(fit) - free(simpler);
+        return more > 0 && claims(fit).equals(claims(simpler)) && !search.refinement().pays(fit, simpler, more);
     }
 
     /**
-     * The likeliest of a pair and its rivals by what they leave. What the choice of a second costs is the same for all; of two forms of the
-     * same laws the one of more numbers has to pay for them.
+     * The likeliest of a pair and its rivals by what they leave. What the choice of a second costs is the same for all.
      *
      * @param fits the pair and its rivals, see {@link #with}; none where it is no pair. Not modified
      */
@@ -61,25 +67,16 @@ public final class PairRivals {
         double open = calibration.evidence(least, least) - Effort.NEGLIGIBLE;
         List<Fitter.State> near = fits.stream().filter(fit -> calibration.evidence(fit.reduced(), least) > open).toList();
         Parallel.map(near, search.refinement()::heldOut);   // each is asked for below
-        return near.stream().map(fit -> new Chosen(fit, pair.price())).reduce((best, other) -> isLikelier(other, best) ? other : best)
-                .orElse(pair);
+        return near.stream().map(fit -> new Chosen(fit, pair.price()))
+                .reduce((best, other) -> search.refinement().outweighs(other, best) ? other : best).orElse(pair);
     }
 
-    private boolean isLikelier(Chosen one, Chosen other) {
-        Refinement refinement = search.refinement();
-        int more = free(one) - free(other);
-        if (more == 0 || !claims(one).equals(claims(other))) {
-            return refinement.outweighs(one, other);
-        }
-        return more > 0 ? refinement.pays(one.fit(), other.fit(), more) : !refinement.pays(other.fit(), one.fit(), -more);
+    private static int free(Fitter.State pair) {
+        return pair.candidate().added().stream().mapToInt(Hypothesis::free).sum();
     }
 
-    private static int free(Chosen pair) {
-        return pair.fit().candidate().added().stream().mapToInt(Hypothesis::free).sum();
-    }
-
-    private static Set<String> claims(Chosen pair) {
-        return pair.fit().candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
+    private static Set<String> claims(Fitter.State pair) {
+        return pair.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
@@ -87,14 +84,15 @@ public final class PairRivals {
         double[] x = PlacePairs.without(pair, other, left);
         Place there = Place.plain(part, left);
         Place ignored = Place.plain(other, left);
-        return (there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, ignored, part))
+        return Stream.concat(simpler(left, x, part, pair),
+                there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, ignored, part))
                 .filter(fit -> !fit.failed() && !Search.extreme(fit));
     }
 
     /** Of two at one place: whatever is sought there beside the other. */
     private Stream<Fitter.State> beside(Candidate left, double[] x, Place there, Hypothesis part, Fitter.State pair) {
         return search.leaders(search.fitter().lookWithSlopes(left, x, pair.frame()), Effort.SECONDS,
-                Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> isOther(rival, part))).stream();
+                Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> !rival.claim().equals(part.claim()))).stream();
     }
 
     /** Of two apart: those that show about as well at the part's place while the other's is ignored. No others can be its rivals. */
@@ -102,7 +100,7 @@ public final class PairRivals {
         List<Fitter.State> shown = new ShownBeside(evidence, base, progress).at(ignored, there, Arrays.copyOf(x, base.x().length)).fits();
         double near = shown.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(shown.get(0).reduced());
         List<Fitter.State> rivals = shown.stream().filter(fit -> fit.reduced() <= near && !Search.extreme(fit))
-                .filter(fit -> isOther(fit.candidate().last(), part)).limit(Effort.CONTENDERS).toList();
+                .filter(fit -> !fit.candidate().last().claim().equals(part.claim())).limit(Effort.CONTENDERS).toList();
         List<Fitter.State> begun = Trial.sorted(Parallel.map(rivals, fit -> {
             Candidate both = left.with(fit.candidate().last());
             return search.refinement().begun(both, PlacePairs.with(fit, x, both));
@@ -111,7 +109,18 @@ public final class PairRivals {
                 .stream();
     }
 
-    private static boolean isOther(Hypothesis rival, Hypothesis part) {
-        return !rival.claim().equals(part.claim()) || rival.free() < part.free();
+    /**
+     * The forms of a part that do without some of its numbers, begun where it stands: a form with more of them hides its plain one where
+     * only the best of a name is kept.
+     *
+     * @param x of what it is added to [1], one a knob. Not modified.
+     */
+    private Stream<Fitter.State> simpler(Candidate left, double[] x, Hypothesis part, Fitter.State pair) {
+        double[] values = pair.candidate().values(part, pair.x());
+        List<String> keys = part.keys();
+        return search.hypotheses(base).stream()
+                .filter(form -> form.claim().equals(part.claim()) && form.free() < part.free() && keys.containsAll(form.keys()))
+                .flatMap(form -> search.refinement().polished(left, form, x, pair.frame(),
+                        List.of(form.keys().stream().mapToDouble(key -> values[keys.indexOf(key)]).toArray())).stream());
     }
 }

@@ -59,18 +59,16 @@ public final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
-        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
-            return likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true));
-        }
         Place own = Place.ofLast(single);
         TwoPlaces.Looked looked = places.looked(own);
+        boolean blind = looked.locator().isBlindToTwo();
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
         // Where nothing more than noise is left beside a place no pair of places leaves less; nor need one be asked for where all enters at
         // one, whatever mechanism that is.
-        boolean one = alone <= QUIET
-                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0)) && atTwo().isEmpty();
+        boolean one = !blind && (alone <= QUIET
+                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0)) && atTwo().isEmpty());
         List<Known.Ignoring> pairs = one ? List.of() : places.pairs(looked);
-        if (one || TwoPlaces.needless(own, alone, pairs)) {
+        if (one || !blind && TwoPlaces.needless(own, alone, pairs)) {
             return beside(single);
         }
         Set<Place> near = PlacePairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
@@ -79,7 +77,7 @@ public final class PairSearch {
         if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
-        double most = Math.min(single.reduced(), PlacePairs.reach(pairs, base));
+        double most = blind ? Double.POSITIVE_INFINITY : Math.min(single.reduced(), PlacePairs.reach(pairs, base));
         List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, pairs, most)));
         apart.ifPresent(proposals::add);
         return likeliest(single, proposals);

@@ -164,7 +164,7 @@ public final class Search {
     }
 
     /** Those of the library at a fit. */
-    private List<Hypothesis> hypotheses(Fitter.State base) {
+    List<Hypothesis> hypotheses(Fitter.State base) {
         Assembly fitted = base.candidate().at(base.x());
         return evidence.library().hypotheses(FittedScene.of(evidence, fitted, new Motion(evidence, fitted)));
     }

@@ -45,8 +45,7 @@ final class Yielding {
         if (!(last.additions().get(0) instanceof Addition.InLink in)) {
             return List.of();
         }
-        double[] found = Arrays.stream(fit.candidate().positions(last))
-                .mapToDouble(i -> fit.candidate().knobs().get(i).value(fit.x()[i])).toArray();
+        double[] found = fit.candidate().values(last, fit.x());
         double stiffness = fit.candidate().at(fit.x()).structure().stiffness()[in.link()];
         if (in.law() instanceof BoucWen && found.length == 2) {
             double hanging = Math.max(found[0], LEAST) * stiffness;
