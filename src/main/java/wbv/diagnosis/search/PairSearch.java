@@ -59,6 +59,9 @@ public final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
+        if (evidence.outputs().size() == 1) {   // every place explains everything
+            return likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true));
+        }
         Place own = Place.ofLast(single);
         TwoPlaces.Looked looked = places.looked(own);
         boolean blind = looked.locator().isBlindToTwo();
