@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import wbv.body.Assembly;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
@@ -86,12 +88,29 @@ public final class PairSearch {
         return likeliest(single, proposals);
     }
 
-    /** The likelier of a single mechanism and one with a second at its own place: what a law leaves to another law is its form. */
+    /**
+     * The likelier of a single mechanism and one with a second at its own place, or hidden behind it: what a law leaves to another law is
+     * its form.
+     */
     private Chosen beside(Fitter.State single) {
         Place own = Place.ofLast(single);
         boolean law = single.candidate().last().isLaw();
-        return likeliest(single,
-                oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
+        return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> hides(own, place(hypothesis))
+                || place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
+    }
+
+    /** Whether what enters at a place hardly shows where a sensor is ignored: on the body that it sits on, and in that one's links. */
+    private boolean hides(Place own, Place other) {
+        Assembly assembly = base.candidate().template();
+        if (own.kind() != Place.Kind.SENSOR || assembly.outputs().get(own.index()).reads().at().length != 1) {
+            return false;
+        }
+        int body = assembly.outputs().get(own.index()).place();
+        return switch (other.kind()) {
+            case BODY -> other.index() == body;
+            case LINK -> Arrays.stream(assembly.structure().stretch(other.index()).at()).anyMatch(at -> at == body);
+            default -> false;
+        };
     }
 
     /**
