@@ -364,8 +364,9 @@ final class ModelicaText {
         if (!unit.isEmpty()) {
             String named = "unit = \"" + unit + "\"";
             int space = what.indexOf(" = ");
-            text = what.contains("(start") ? what.replace("(start", "(" + named + ", start") : space < 0 ? what + "(" + named + ")"
-                    : what.substring(0, space) + "(" + named + ")" + what.substring(space);
+            int open = what.indexOf('(');
+            text = open > 0 ? what.substring(0, open + 1) + named + ", " + what.substring(open + 1)
+                    : space < 0 ? what + "(" + named + ")" : what.substring(0, space) + "(" + named + ")" + what.substring(space);
         }
         declared.append("  ").append(text).append(meaning.isEmpty() ? "" : " \"" + Names.plain(meaning) + "\"").append(";\n");
     }

@@ -29,7 +29,7 @@ class RealTest {
         assertTrue(row.error() <= 0.26, row.toString());
     }
 
-    /** Whether the friction that engages again is named or refused, the model with it comes, and foretells an earthquake it has not seen. */
+    /** Friction that engages again may be named or refused: the model with it comes, and foretells an earthquake that it has not seen. */
     @Tag("slow")
     @Test
     void whatComesNearestToTheFrictionDamperForetellsAnEarthquake() throws IOException {

@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,9 +64,10 @@ class TextsTest {
             }
             String text = ModelicaText.of(model);
             String[] parts = text.split("\nequation\n");
+            String[] declarations = parts[0].split("\ninitial equation\n");
             Set<String> declared = new HashSet<>();
             int unknowns = 0;
-            for (String line : parts[0].split("\n")) {
+            for (String line : declarations[0].split("\n")) {
                 Matcher matcher = DECLARATION.matcher(line);
                 if (matcher.matches()) {
                     assertTrue(declared.add(matcher.group(2)), model.name() + " declares twice: " + line);
@@ -75,7 +78,9 @@ class TextsTest {
             }
             List<String> equations = parts[1].lines().filter(line -> line.startsWith("  ")).toList();
             assertEquals(unknowns, equations.size(), model.name());
-            for (String equation : equations) {
+            List<String> initial = Arrays.stream(declarations).skip(1).flatMap(String::lines).toList();
+            assertEquals(declarations[0].split("fixed = false", -1).length - 1, initial.size(), model.name());
+            for (String equation : Stream.concat(initial.stream(), equations.stream()).toList()) {
                 assertEquals(equation.chars().filter(c -> c == '(').count(), equation.chars().filter(c -> c == ')').count(), equation);
                 for (String word : equation.split("[^A-Za-z0-9_.]+")) {
                     if (!word.isEmpty() && !Character.isDigit(word.charAt(0)) && !word.startsWith(".")) {

@@ -155,7 +155,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
-     * Numbers of a hypothesis, each in its unit.
+     * Numbers of a hypothesis, an array with one of each, in its unit.
      *
      * @param hypothesis one that was added
      * @param x coordinates [1], one a knob. Not modified.
