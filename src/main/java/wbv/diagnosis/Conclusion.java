@@ -18,7 +18,6 @@ import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.PairRivals;
-import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
@@ -75,13 +74,9 @@ final class Conclusion {
     private Chosen chosen(Fitter.State best, List<Fitter.State> all) {
         boolean more = Refinement.explained(base, best) < Priors.NEARLY_ALL || best.reduced() > Priors.GLARING;
         boolean much = best.reduced() > Priors.STRANGE && more && refinement.heldOut(best) > Priors.LOUD && !isOneLaw(best);
-        Chosen chosen = much ? pairs().best(best, all) : Chosen.single(best);
+        Chosen chosen = much ? inquiry.pairs().best(best, all) : Chosen.single(best);
         return !much && base.reduced() > Priors.SILENT
-                ? new SecondMechanism(evidence, search, this::pairs).of(best).orElse(chosen) : chosen;
-    }
-
-    private PairSearch pairs() {
-        return new PairSearch(evidence, search, base, inquiry.progress());
+                ? new SecondMechanism(evidence, search, inquiry::pairs).of(best).orElse(chosen) : chosen;
     }
 
     private List<Known.Ignoring> entrances() {

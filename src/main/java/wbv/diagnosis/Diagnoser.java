@@ -15,7 +15,6 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
-import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
@@ -210,7 +209,7 @@ public final class Diagnoser {
         }
         // A strong push hides what else is missing: what shows beside it?
         boolean open = best != base && strong && evidence.acting().push().isEmpty();
-        return (open ? inquiry.push(best) : Optional.<BodyForce>empty())
+        return (open ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough()) : Optional.<BodyForce>empty())
                 .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
                     return found.isUnexplained() && !evidence.acting().any()
@@ -219,8 +218,7 @@ public final class Diagnoser {
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {
-        List<Fitter.State> parts = new PairSearch(evidence, search, base, inquiry.progress()).parts();
-        return parts.isEmpty() ? oneByOne(where) : parts;
+        return inquiry.pairs().leaders(() -> oneByOne(where));
     }
 
     private List<Fitter.State> oneByOne(Whereabouts where) {

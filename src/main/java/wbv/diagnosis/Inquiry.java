@@ -12,6 +12,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
+import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
@@ -83,6 +84,10 @@ final class Inquiry {
 
     BiConsumer<String, Double> progress() {
         return progress;
+    }
+
+    PairSearch pairs() {
+        return new PairSearch(evidence, search, base(), progress);
     }
 
     /** The user's model with fitted values and nothing added. */

@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -111,6 +112,19 @@ public record Place(Kind kind, int index) {
         return kind != Kind.BODY ? this : IntStream.range(0, assembly.structure().links())
                 .filter(l -> assembly.structure().standsOnBase(l, index))
                 .mapToObj(l -> new Place(Kind.LINK, l)).findFirst().orElse(this);
+    }
+
+    /** Whether what enters at another place hardly shows where this sensor is ignored: on the body that it sits on, and in its links. */
+    public boolean hides(Place other, Assembly assembly) {
+        if (kind != Kind.SENSOR || assembly.outputs().get(index).reads().at().length != 1) {
+            return false;
+        }
+        int body = assembly.outputs().get(index).place();
+        return switch (other.kind) {
+            case BODY -> other.index == body;
+            case LINK -> Arrays.stream(assembly.structure().stretch(other.index).at()).anyMatch(at -> at == body);
+            default -> false;
+        };
     }
 
     /**

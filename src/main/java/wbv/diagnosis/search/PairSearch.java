@@ -1,7 +1,6 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
@@ -10,6 +9,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Candidate;
@@ -76,13 +76,13 @@ public final class PairSearch {
         if (one || !blind && TwoPlaces.needless(own, alone, pairs)) {
             return beside(single);
         }
-        Set<Place> near = PlacePairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
+        Set<Place> near = NearPairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
         Optional<Chosen> apart = places.pair(pairs, leaders)
                 .map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
         if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
-        double most = blind ? Double.POSITIVE_INFINITY : Math.min(single.reduced(), PlacePairs.reach(pairs, base));
+        double most = blind ? Double.POSITIVE_INFINITY : Math.min(single.reduced(), NearPairs.reach(pairs, base));
         List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, pairs, most)));
         apart.ifPresent(proposals::add);
         return likeliest(single, proposals);
@@ -95,45 +95,54 @@ public final class PairSearch {
     private Chosen beside(Fitter.State single) {
         Place own = Place.ofLast(single);
         boolean law = single.candidate().last().isLaw();
-        return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> hides(own, place(hypothesis))
+        Assembly assembly = base.candidate().template();
+        return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> own.hides(place(hypothesis), assembly)
                 || place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
     }
 
-    /** Whether what enters at a place hardly shows where a sensor is ignored: on the body that it sits on, and in that one's links. */
-    private boolean hides(Place own, Place other) {
-        Assembly assembly = base.candidate().template();
-        if (own.kind() != Place.Kind.SENSOR || assembly.outputs().get(own.index()).reads().at().length != 1) {
-            return false;
+    /**
+     * The first mechanisms by themselves, least first: the parts of a pair at two places where no one place will do, since then none that
+     * is sought by itself will.
+     *
+     * @param sought those that are sought by themselves
+     */
+    public List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought) {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return sought.get();
         }
-        int body = assembly.outputs().get(own.index()).place();
-        return switch (other.kind()) {
-            case BODY -> other.index() == body;
-            case LINK -> Arrays.stream(assembly.structure().stretch(other.index()).at()).anyMatch(at -> at == body);
-            default -> false;
-        };
+        Optional<List<Fitter.State>> first = places.mayBeOne() ? Optional.of(sought.get()) : Optional.empty();
+        return first.filter(found -> found.stream().anyMatch(this::leavesLess)).or(this::parts).or(() -> first).orElseGet(sought);
     }
 
-    /**
-     * The parts by themselves, least first, of a pair at two places where no one place will do: then no mechanism by itself need be
-     * sought. None where that is not so.
-     */
-    public List<Fitter.State> parts() {
-        return atTwo().map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList()))
-                .orElse(List.of());
+    /** Whether two mechanisms at two places explain nearly all where no one place will do: nothing hides what else is missing then. */
+    public boolean isEnough() {
+        return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
+                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair)).isPresent();
+    }
+
+    /** Whether a fit leaves far less than whatever enters at any one place seems to. */
+    private boolean leavesLess(Fitter.State fit) {
+        return Effort.BEHIND * Refinement.excess(fit.reduced()) < atAny();
+    }
+
+    /** The parts by themselves, least first, of a pair at two places where no one place will do. */
+    private Optional<List<Fitter.State>> parts() {
+        return atTwo().map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList()));
     }
 
     /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
     private Optional<Fitter.State> atTwo() {
-        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
-            return Optional.empty();
-        }
         Place first = places.likeliest();
         TwoPlaces.Looked looked = places.looked(first);
         double alone = Refinement.excess(Locator.left(looked.singles(), first));
         List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
-        double any = Refinement.excess(new Locator(evidence, base.candidate()).left(first, base.x()));
         return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty()
-                : places.pair(pairs, List.of()).filter(pair -> Effort.BEHIND * Refinement.excess(pair.reduced()) < any);
+                : places.pair(pairs, List.of()).filter(this::leavesLess);
+    }
+
+    /** What is left where whatever enters at any one place is ignored. */
+    private double atAny() {
+        return Refinement.excess(new Locator(evidence, base.candidate()).left(places.likeliest(), base.x()));
     }
 
     /** The likelier of a single mechanism and one with a second that was sought at some places alone. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -44,16 +45,19 @@ final class PlacePairs {
      * @param leaders single hypotheses fitted with nothing ignored
      */
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
-        double good = reach(places, base);
-        List<Known.Ignoring> near = near(places, base);
+        double good = NearPairs.reach(places, base);
+        NearPairs near = NearPairs.of(evidence, base, places);
         List<Fitter.State> found = new ArrayList<>();
         Set<Set<Place>> tried = new HashSet<>();
+        Set<Set<String>> joined = new HashSet<>();
         for (Beside beside : besides(base, near, good)) {
-            Place other = Place.ofLast(beside.seconds().get(0));
-            if ((found.isEmpty() || found.get(0).reduced() >= good) && tried.add(Set.copyOf(List.of(beside.ignored(), other)))) {
-                found.addAll(joined(base, firsts(base, other, beside.ignored(), near), beside.seconds(), leaders));
+            Place other = near.twins().first(Place.ofLast(beside.seconds().get(0)));
+            // Nothing where a place is ignored leaves less than is left so.
+            double least = found.isEmpty() ? Double.POSITIVE_INFINITY : found.get(0).reduced();
+            if (least >= good && beside.left() < least && tried.add(Set.of(beside.ignored(), other))) {
+                found.addAll(joined(base, firsts(base, other, beside.ignored(), near), beside.seconds(), leaders, joined));
                 if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
-                    onTop(beside.seconds().get(0), beside.ignored()).ifPresent(found::add);
+                    onTop(beside.seconds().get(0), near.twins().of(beside.ignored())).ifPresent(found::add);
                 }
                 found.sort(Comparator.comparingDouble(Fitter.State::reduced));
             }
@@ -80,45 +84,22 @@ final class PlacePairs {
      * @param good what counts as that
      * @return those that leave least, least first
      */
-    private List<Beside> besides(Fitter.State base, List<Known.Ignoring> near, double good) {
+    private List<Beside> besides(Fitter.State base, NearPairs near, double good) {
         List<Beside> out = new ArrayList<>();
-        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(Effort.PLACES).toList()) {
+        for (Place one : near.firsts().stream().limit(Effort.PLACES).toList()) {
             if (out.stream().noneMatch(beside -> beside.left() < good)) {
-                shown(base, one, partners(one, near)).forEach(seconds -> out.add(new Beside(one, seconds)));
+                shown(base, one, near.partners(one)).forEach(seconds -> out.add(new Beside(one, seconds)));
             }
         }
         return out.stream().sorted(Comparator.comparingDouble(Beside::left)).limit(Effort.PLACES).toList();
     }
 
     /** What shows where one place is ignored: best of all, and at the other. */
-    private List<Fitter.State> firsts(Fitter.State base, Place ignored, Place at, List<Known.Ignoring> near) {
-        List<List<Fitter.State>> shown = shown(base, ignored, partners(ignored, near));
-        return IntStream.range(0, shown.size()).filter(i -> i == 0 || Place.ofLast(shown.get(i).get(0)).equals(at)).mapToObj(shown::get)
-                .flatMap(List::stream).toList();
-    }
-
-    /** Pairs of places that leave about as little as the best. */
-    static List<Known.Ignoring> near(List<Known.Ignoring> places, Fitter.State base) {
-        double reach = reach(places, Effort.ALIKE, base);
-        return places.stream().filter(pair -> pair.reduced() < reach).toList();
-    }
-
-    /** What two places may leave beside which a pair of laws may still do. */
-    static double reach(List<Known.Ignoring> places, Fitter.State base) {
-        return reach(places, Effort.BEHIND, base);
-    }
-
-    /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
-    private static double reach(List<Known.Ignoring> places, double times, Fitter.State base) {
-        return Math.max(Locator.reach(places, times), Locator.scatter(base, times));
-    }
-
-    /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
-    private static Map<Place, double[]> partners(Place one, List<Known.Ignoring> pairs) {
-        Map<Place, double[]> out = new LinkedHashMap<>();
-        pairs.stream().filter(pair -> pair.places().contains(one))
-                .forEach(pair -> pair.places().stream().filter(place -> !place.equals(one)).forEach(place -> out.put(place, pair.x())));
-        return out;
+    private List<Fitter.State> firsts(Fitter.State base, Place ignored, Place at, NearPairs near) {
+        List<List<Fitter.State>> shown = shown(base, ignored, near.partners(ignored));
+        List<Place> same = near.twins().of(at);
+        return IntStream.range(0, shown.size()).filter(i -> i == 0 || same.contains(Place.ofLast(shown.get(i).get(0))))
+                .mapToObj(shown::get).flatMap(List::stream).toList();
     }
 
     /**
@@ -149,11 +130,15 @@ final class PlacePairs {
     /**
      * A mechanism that was found while a place was ignored, and on top of it one there, from the numbers of the model that fitted beside
      * that place.
+     *
+     * @param ignored that place and its twins
      */
-    private Optional<Fitter.State> onTop(Fitter.State shown, Place ignored) {
+    private Optional<Fitter.State> onTop(Fitter.State shown, List<Place> ignored) {
         Candidate first = shown.candidate();
         Fitter.State bent = search.base(first, shown.x());
-        return search.best(bent, Whereabouts.among(evidence, first, Map.of(ignored, shown.x())));
+        Map<Place, double[]> there = new LinkedHashMap<>();
+        ignored.forEach(place -> there.put(place, shown.x()));
+        return search.best(bent, Whereabouts.among(evidence, first, there));
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
@@ -165,12 +150,18 @@ final class PlacePairs {
         return out;
     }
 
-    /** Both mechanisms in one model, each as every rival and in the forms it was found in; none that fails. */
+    /**
+     * Both mechanisms in one model, each as every rival and in the forms it was found in; none that fails.
+     *
+     * @param tried claims that were joined before, and need not be again: other places were ignored that do the same; filled in
+     */
     private List<Fitter.State> joined(Fitter.State base, List<Fitter.State> firsts, List<Fitter.State> seconds,
-            List<Fitter.State> leaders) {
+            List<Fitter.State> leaders, Set<Set<String>> tried) {
         List<Fitter.State> others = seconds.stream().flatMap(fit -> forms(fit, leaders).stream()).toList();
         List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
-                .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();
+                .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other}))
+                .filter(pair -> !tried.contains(claims(pair))).toList();
+        both.forEach(pair -> tried.add(claims(pair)));
         // A few steps tell which are worth all of them.
         List<Fitter.State> begun = new ArrayList<>(Parallel.map(both, pair -> joined(base, pair[0], pair[1])));
         begun.removeIf(Fitter.State::failed);
@@ -178,6 +169,10 @@ final class PlacePairs {
         double near = begun.isEmpty() ? 0 : 1 + Effort.BEHIND * Refinement.excess(begun.get(0).reduced());
         List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(Effort.LEADERS).toList();
         return Parallel.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
+    }
+
+    private static Set<String> claims(Fitter.State[] pair) {
+        return Arrays.stream(pair).map(fit -> fit.candidate().last().claim()).collect(Collectors.toSet());
     }
 
     /** Both mechanisms in one model, after the first steps. */

@@ -3,7 +3,9 @@ package wbv.diagnosis.search;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Supplier;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -27,7 +29,7 @@ final class ShownBeside {
     }
 
     /** @param x told by being the same array */
-    private record Asked(double[] x, Place ignored, Place place) {}
+    private record Asked(double[] x, Place ignored, Set<Place> places) {}
 
     /**
      * What was fitted while a place is ignored.
@@ -48,8 +50,8 @@ final class ShownBeside {
      * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
      */
     Shown among(Place ignored, Map<Place, double[]> places) {
-        Shown shown = sought(ignored, places);
-        places.keySet().forEach(place -> evidence.known().once(new Asked(base.x(), ignored, place), Shown.class, () -> shown.at(place)));
+        Shown shown = once(ignored, places.keySet(), () -> sought(ignored, places));
+        places.keySet().forEach(place -> once(ignored, Set.of(place), () -> shown.at(place)));
         return shown;
     }
 
@@ -59,7 +61,11 @@ final class ShownBeside {
      * @param x the base's numbers as they fit beside both: coordinates [1], one a knob. Not modified.
      */
     Shown at(Place ignored, Place place, double[] x) {
-        return evidence.known().once(new Asked(base.x(), ignored, place), Shown.class, () -> sought(ignored, Map.of(place, x)));
+        return once(ignored, Set.of(place), () -> sought(ignored, Map.of(place, x)));
+    }
+
+    private Shown once(Place ignored, Set<Place> places, Supplier<Shown> seek) {
+        return evidence.known().once(new Asked(base.x(), ignored, Set.copyOf(places)), Shown.class, seek);
     }
 
     private Shown sought(Place ignored, Map<Place, double[]> places) {

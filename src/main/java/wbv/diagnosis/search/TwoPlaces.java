@@ -92,6 +92,11 @@ final class TwoPlaces {
         return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > Priors.MAJORITY * alone);
     }
 
+    /** Whether nearly all that is missing enters at one place. */
+    boolean mayBeOne() {
+        return atOne(seen().singles().get(0));
+    }
+
     /**
      * Whether nearly all that is missing enters at a place.
      *

@@ -1,0 +1,59 @@
+package wbv.diagnosis.search;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
+
+/**
+ * Pairs of places that leave about as little as the best.
+ *
+ * @param pairs best first
+ * @param twins which of all places outputs do not tell apart
+ */
+record NearPairs(List<Known.Ignoring> pairs, Twins twins) {
+
+    /**
+     * Of some.
+     *
+     * @param base the model alone, fitted
+     * @param all best first
+     */
+    static NearPairs of(Evidence evidence, Fitter.State base, List<Known.Ignoring> all) {
+        return new NearPairs(near(all, base),
+                new Twins(evidence, base.candidate(), base.x(), all.stream().flatMap(pair -> pair.places().stream()).distinct().toList()));
+    }
+
+    /** Those pairs alone. */
+    static List<Known.Ignoring> near(List<Known.Ignoring> all, Fitter.State base) {
+        double reach = reach(all, Effort.ALIKE, base);
+        return all.stream().filter(pair -> pair.reduced() < reach).toList();
+    }
+
+    /** What two places may leave beside which a pair of laws may still do. */
+    static double reach(List<Known.Ignoring> all, Fitter.State base) {
+        return reach(all, Effort.BEHIND, base);
+    }
+
+    /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
+    private static double reach(List<Known.Ignoring> all, double times, Fitter.State base) {
+        return Math.max(Locator.reach(all, times), Locator.scatter(base, times));
+    }
+
+    /** The first of each pair, best first; of twins one. */
+    List<Place> firsts() {
+        return pairs.stream().map(pair -> twins.first(pair.places().get(0))).distinct().toList();
+    }
+
+    /** The places that make a pair with one or a twin of it, best first, with the base's numbers as they fit beside both. */
+    Map<Place, double[]> partners(Place one) {
+        List<Place> same = twins.of(one);
+        Map<Place, double[]> out = new LinkedHashMap<>();
+        pairs.stream().filter(pair -> pair.places().stream().anyMatch(same::contains)).forEach(pair -> pair.places().stream()
+                .filter(place -> !same.contains(place)).forEach(place -> out.putIfAbsent(place, pair.x())));
+        return out;
+    }
+}
