@@ -14,6 +14,7 @@ import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.PushedLaws;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
@@ -57,6 +58,20 @@ final class Inquiry {
     /** The same where a person's own force counts as noise. */
     Inquiry knowing(BodyForce force) {
         return new Inquiry(evidence.with(force), baseline, progress);
+    }
+
+    /** The diagnosis of a law and of a force that answers to nothing, found together; empty where they are not, or it is no such force. */
+    Optional<Diagnosed> lawBesidePush(List<Fitter.State> leaders) {
+        return new PushedLaws(evidence, base()).best(leaders)
+                .flatMap(law -> pushed(law).map(knowing -> Conclusion.of(knowing, knowing.again(List.of(law.fit())))))
+                .filter(Diagnosed::namesBesidePush);
+    }
+
+    /** The same with a force that was found beside a law: models are simulated with it, and its power counts as noise. */
+    private Optional<Inquiry> pushed(PushedLaws.Found law) {
+        Evidence knowing = evidence.pushed(law.body(), law.force());
+        return Optional.of(BodyForce.known(knowing, seen(knowing, law.fit()), law.body(), law.force())).filter(BodyForce::independent)
+                .map(push -> new Inquiry(knowing.with(evidence.acting().withPush(Optional.of(push))), baseline, progress));
     }
 
     /** The same where noise of the input counts too of which nobody knew, as far as a fit leaves it; itself where nothing shows any. */

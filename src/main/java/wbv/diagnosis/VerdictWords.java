@@ -96,9 +96,15 @@ final class VerdictWords {
             case UNEXPLAINED -> String.format(Locale.ROOT,
                     "Something is missing (%.3g times the noise), and nothing in the library explains it%s", base.reduced(), ending);
             case LEARNED_LAW -> throw new IllegalStateException("a law that was learned has a sentence of its own");
-            case AMBIGUOUS -> found + ending + apart(missing, rivals);
-            case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
+            case AMBIGUOUS -> found + ending + apart(missing, rivals) + pushed();
+            case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending + pushed();
         };
+    }
+
+    /** What errors hold where models are simulated with a force that nobody measured. */
+    private String pushed() {
+        return evidence.excitation().isPushed()
+                ? " Errors are those of the model with that force, as this recording shows it: the model alone foretells none." : "";
     }
 
     private String found(List<Diagnosis.Named> missing) {

@@ -49,6 +49,8 @@ public final class Excitation {
     private final Optional<Stroke> stroke;
     private final boolean unit;
     private final Leaps leaps;
+    /** Forces on bodies beside it [N], spectra by body. */
+    private final Map<Integer, double[]> pushes;
     private final SolvedLines solved;
     private final boolean forced;
     /**
@@ -102,6 +104,7 @@ public final class Excitation {
         this.stroke = stroke;
         this.unit = false;
         this.leaps = Leaps.NONE;
+        this.pushes = Map.of();
         this.solved = new SolvedLines();
         this.forced = forced;
         this.track = new double[base.length][0];
@@ -179,11 +182,12 @@ public final class Excitation {
         Excitation plain = new Excitation(rate, new double[moved.size()][samples], others,
                 filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
         return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new),
-                moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false, Leaps.NONE);
+                moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false, Leaps.NONE,
+                Map.of());
     }
 
     private Excitation leaping(Leaps ahead) {
-        return ahead.all().isEmpty() ? this : new Excitation(this, base, track, others, recorded, unit, ahead);
+        return ahead.all().isEmpty() ? this : new Excitation(this, base, track, others, recorded, unit, ahead, pushes);
     }
 
     /**
@@ -268,7 +272,7 @@ public final class Excitation {
     }
 
     private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded,
-            boolean unit, Leaps leaps) {
+            boolean unit, Leaps leaps, Map<Integer, double[]> pushes) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;
@@ -284,8 +288,30 @@ public final class Excitation {
         this.track = track;
         this.unit = unit;
         this.leaps = leaps;
+        this.pushes = pushes;
         solved = like.solved;
         forced = like.forced;
+    }
+
+    /**
+     * The same with a force on a body beside it, in place of one that is there.
+     *
+     * @param force [N], by sample, as long as this or longer. Not modified.
+     */
+    public Excitation pushed(int body, double[] force) {
+        Map<Integer, double[]> all = new java.util.HashMap<>(pushes);
+        all.put(body, spectrum(Arrays.copyOf(force, samples)));
+        return new Excitation(this, base, track, others, recorded, unit, leaps, Map.copyOf(all));
+    }
+
+    /** Whether there is such a force. */
+    public boolean isPushed() {
+        return !pushes.isEmpty();
+    }
+
+    /** Forces on bodies beside it [N], spectra by body. Not copies. */
+    Map<Integer, double[]> pushes() {
+        return pushes;
     }
 
     /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
@@ -299,7 +325,7 @@ public final class Excitation {
         for (int k = 0; k < omega.length; k++) {
             ones[axis][2 * k] = 1;
         }
-        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true, leaps);
+        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true, leaps, Map.of());
     }
 
     /** The measured motion of the base where links are driven by it. */

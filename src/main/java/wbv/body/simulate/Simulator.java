@@ -275,6 +275,7 @@ public final class Simulator {
             for (int d = 0; d < driveForce.length; d++) {
                 addDrive(d, driveForce[d], q);
             }
+            excitation.pushes().forEach((body, force) -> response.addBodyForce(body, force, 1, q));
             lawForce = new double[assembly.laws().size()][];
             lawSlope = new double[linear ? 0 : count][lawForce.length][];
             if (linear) {
@@ -469,7 +470,7 @@ public final class Simulator {
         }
 
         private void freeRun() {
-            double[][] known = driveForce.length == 0 ? new double[0][] : bodySeries(driveForce, -1);
+            double[][] known = driveForce.length == 0 && excitation.pushes().isEmpty() ? new double[0][] : bodySeries(driveForce, -1);
             int moving = sensitivities.any() ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
             double[][][] knownSlope = new double[Math.max(0, moving - from)][0][];
             for (int p = from; p < moving && driveForce.length > 0; p++) {
@@ -568,6 +569,9 @@ public final class Simulator {
                         Spectra.add(body[row.at()[i]], forces[d], -row.by()[i]);
                     }
                 }
+            }
+            if (parameter < 0) {
+                excitation.pushes().forEach((at, force) -> Spectra.add(body[at], force, 1));
             }
             double[][] series = java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
             for (int d = 0; d < forces.length; d++) {

@@ -129,6 +129,24 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return in(evidence, state, true);
     }
 
+    /**
+     * A force on a body that was found beside a law.
+     *
+     * @param evidence that knows of it
+     * @param state as that sees it
+     * @param force [N], by sample of the recording. Not modified.
+     */
+    public static BodyForce known(Evidence evidence, Fitter.State state, int body, double[] force) {
+        Simulator simulator = new Simulator(evidence.excitation());
+        Assembly assembly = simulator.equivalent(state.candidate().at(state.x()));
+        Entering rest = Entering.along(evidence, state, simulator.linearised(assembly).ofBodyForce(body));
+        boolean[] all = new boolean[force.length];
+        Arrays.fill(all, true);
+        double[] signal = state.frame().whitening().window().spectrum(force, all);
+        Arrays.setAll(signal, i -> signal[i] + rest.signal()[i]);
+        return of(evidence, state, assembly, body, new Entering(signal, rest.variance()), 1, 1);
+    }
+
     private static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
         int outputs = evidence.outputs().size();
         if (outputs < 2 || evidence.onRig()) {
@@ -166,7 +184,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         }
         boolean form = answering - least < CLEAR * (state.reduced() - least);
         lead = form ? Double.NEGATIVE_INFINITY : lead;
-        BodyForce found = of(evidence, state, assembly, best, linear.ofBodyForce(best),
+        BodyForce found = of(evidence, state, assembly, best, Entering.along(evidence, state, linear.ofBodyForce(best)),
                 (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.following().isAnswer() ? Optional.empty() : Optional.of(found);
     }
@@ -181,9 +199,8 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().standsOnBase(l, body));
     }
 
-    private static BodyForce of(Evidence evidence, Fitter.State state, Assembly assembly, int body, double[][] direction, double carried,
+    private static BodyForce of(Evidence evidence, Fitter.State state, Assembly assembly, int body, Entering entering, double carried,
             double lead) {
-        Entering entering = Entering.along(evidence, state, direction);
         Window window = state.frame().whitening().window();
         ForceBands bands = ForceBands.of(entering, window);
         LevelDependence following = LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window),

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
+import wbv.diagnosis.measured.Inputs;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
@@ -18,7 +19,7 @@ import wbv.signal.LostSamples;
 public final class Evidence {
 
     private final Measured measured;
-    private final Excitation excitation;
+    private final Inputs inputs;
     private final Windows windows;
     private final NoiseSources sources;
     private final Library library;
@@ -51,17 +52,13 @@ public final class Evidence {
     }
 
     private Evidence(Measured measured) {
-        // Fits need the record up to their window's end and no more: half the lines, half the time.
-        this(measured,
-                Excitation.of(measured.model(), measured.recording(),
-                        Math.min(measured.recording().length(), measured.split() + (int) measured.recording().clock().rate())),
-                Windows.of(measured), NoiseSources.NONE, Library.standard(), new ConcurrentHashMap<>());
+        this(measured, Inputs.of(measured), Windows.of(measured), NoiseSources.NONE, Library.standard(), new ConcurrentHashMap<>());
     }
 
-    private Evidence(Measured measured, Excitation excitation, Windows windows, NoiseSources sources, Library library,
+    private Evidence(Measured measured, Inputs inputs, Windows windows, NoiseSources sources, Library library,
             Map<Window, ErrorShapes> shapes) {
         this.measured = measured;
-        this.excitation = excitation;
+        this.inputs = inputs;
         this.windows = windows;
         this.sources = sources;
         this.library = library;
@@ -105,12 +102,12 @@ public final class Evidence {
 
     /** The input up to the end of the fit's window. */
     public Excitation excitation() {
-        return excitation;
+        return inputs.fitted();
     }
 
     /** The whole input. */
     public Excitation whole() {
-        return measured.input();
+        return inputs.whole();
     }
 
     /** All that is known of the recording before any fit. */
@@ -175,7 +172,7 @@ public final class Evidence {
 
     /** The same evidence, to be explained by other mechanisms. */
     public Evidence with(Library other) {
-        return new Evidence(measured, excitation, windows, sources, other, shapes);
+        return new Evidence(measured, inputs, windows, sources, other, shapes);
     }
 
     /** The same evidence, with a force as part of the noise: a person's who sits still, or a push. */
@@ -188,11 +185,7 @@ public final class Evidence {
         return with(sources.with(forces));
     }
 
-    /**
-     * The same evidence, of a rig, with noise of the input's sensors.
-     *
-     * @param levels standard deviation of a sample, by sensor; the others have none but what is known beforehand
-     */
+    /** The same evidence, of a rig, with standard deviations of a sample of its input's sensors; of others none but what is known. */
     public Evidence with(Map<Channel, Double> levels) {
         return with(sources.with(levels));
     }
@@ -208,27 +201,36 @@ public final class Evidence {
     }
 
     private Evidence with(NoiseSources others) {
-        return new Evidence(measured, excitation, windows, others, library, shapes);
+        return new Evidence(measured, inputs, windows, others, library, shapes);
+    }
+
+    /**
+     * The same evidence, where a force on a body is known that nobody measured: models are simulated with it.
+     *
+     * @param force [N], by sample of the recording. Not modified.
+     */
+    public Evidence pushed(int body, double[] force) {
+        return new Evidence(measured, inputs.pushed(body, force), windows, sources, library, shapes);
     }
 
     /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
     public Evidence late() {
-        return new Evidence(measured, whole(), Windows.late(measured), sources, library, shapes);
+        return new Evidence(measured, Inputs.whole(whole()), Windows.late(measured), sources, library, shapes);
     }
 
     /**
-     * A part of the fit's window that is shaken hard, to try on it what may not be worth the whole: empty where the window is hardly
-     * longer, or the ride has no such part. Time counts from its own start.
+     * A part of the fit's window that is shaken hard, to try on it what may not be worth the whole: empty where there is none that is much
+     * shorter, see {@link ShakenPart}. Time counts from its own start.
      */
     public Optional<Evidence> brief() {
-        return known.brief(() -> ShakenPart.of(this)
-                .map(part -> new Evidence(part, part.input(), Windows.whole(part), sources, library, new ConcurrentHashMap<>())));
+        return known.brief(() -> ShakenPart.of(this).map(part -> new Evidence(part, Inputs.whole(part.input()), Windows.whole(part), sources,
+                library, new ConcurrentHashMap<>())));
     }
 
     /** The same evidence, with less noise than it is bounded by, where a fit leaves less; empty where nothing shows that. */
     public Optional<Evidence> beside(Fitter.State fit) {
         return measured.isNoiseKnown() || fit.failed() ? Optional.empty() : measured.beside(new Readings(this).of(fit))
-                .map(quieter -> new Evidence(quieter, excitation, windows, sources, library, new ConcurrentHashMap<>()));
+                .map(quieter -> new Evidence(quieter, inputs, windows, sources, library, new ConcurrentHashMap<>()));
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -24,12 +24,12 @@ final class ShakenPart {
 
     private ShakenPart() {}
 
-    /** Of what is fitted; empty where that is hardly longer, goes by the clock, or is of driven links. */
+    /** Of what is fitted; empty where that is hardly longer, goes by the clock as a known force does, or is of driven links. */
     static Optional<Measured> of(Evidence evidence) {
         int n = length(evidence);
         Window fit = evidence.fit();
         boolean whole = evidence.isLate() || evidence.model().driven() || Addition.byTheClock(evidence.model().assembly())
-                || fit.length() < WORTH_A_PART * n;
+                || evidence.excitation().isPushed() || fit.length() < WORTH_A_PART * n;
         return whole ? Optional.empty() : Optional.of(evidence.measured().part(evidence.onRig() ? 0 : hardest(evidence, n), n));
     }
 

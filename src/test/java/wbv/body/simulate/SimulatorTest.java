@@ -368,6 +368,32 @@ class SimulatorTest {
         }
     }
 
+    /** A tone on a body is the same whether the model makes it or it is known beside the model; derivatives to the model's numbers too. */
+    @ParameterizedTest
+    @MethodSource("lawsThatSeeALift")
+    void aForceThatIsKnownActsAsADriveOfIt(Law law) {
+        double rate = 60;
+        int n = 900;
+        Excitation plain = new Excitation(rate, sampled(t -> Math.sin(17 * t) * Math.exp(-Math.pow((t - 7) / 3, 2)), n, rate), Map.of());
+        List<LawAt> laws = List.of(new LawAt(0, law));
+        List<Assembly.Output> outputs = List.of(output(0), output(2));
+        Simulator.Response driven = new Simulator(plain)
+                .run(new Assembly(CHAIN, laws, List.of(new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7))), outputs), true);
+        double[] force = sampled(t -> 10 * Math.cos(2 * Math.PI * 7 * t) + 5 * Math.sin(2 * Math.PI * 7 * t), n, rate);
+        Simulator.Response pushed = new Simulator(plain.pushed(0, new double[n]).pushed(1, force))
+                .run(new Assembly(CHAIN, laws, List.of(), outputs), true);
+        double[] without = new Simulator(plain).run(new Assembly(CHAIN, laws, List.of(), outputs), false).outputs()[0];
+        for (int o = 0; o < 2; o++) {
+            assertArrayEquals(driven.outputs()[o], pushed.outputs()[o], 1e-9);
+            for (int p = 0; p < CHAIN.parameters(); p++) {
+                double size = Arrays.stream(driven.slopes()[p][o]).map(Math::abs).max().orElseThrow();
+                assertArrayEquals(driven.slopes()[p][o], pushed.slopes()[p][o], 1e-9 * size);
+            }
+        }
+        double[] apart = driven.outputs()[0];
+        assertTrue(IntStream.range(0, without.length).mapToDouble(i -> Math.abs(without[i] - apart[i])).max().orElseThrow() > 0.1);
+    }
+
     /** A linear law may be solved in frequency or stepped in time: two engines, one answer. */
     @ParameterizedTest
     @MethodSource("linearLaws")

@@ -25,7 +25,8 @@ class TwinsTest {
 
     private static final String CHAIN = """
             {"name": "chain", "axis": "z", "base": {"name": "platform", "sensor": "platform.acc.z"},
-             "bodies": [{"name": "pelvis", "mass_kg": 12, "sensor": "pelvis.acc.z"}, {"name": "torso", "mass_kg": 30, "sensor": "sternum.acc.z"},
+             "bodies": [{"name": "pelvis", "mass_kg": 12, "sensor": "pelvis.acc.z"},
+                        {"name": "torso", "mass_kg": 30, "sensor": "sternum.acc.z"},
                         {"name": "viscera", "mass_kg": 8, "sensor": null}, {"name": "head", "mass_kg": 5, "sensor": "head.acc.z"}],
              "links": [{"from": "platform", "to": "pelvis", "stiffness_N_per_m": 90000, "damping_Ns_per_m": 1800},
                        {"from": "pelvis", "to": "torso", "stiffness_N_per_m": 80000, "damping_Ns_per_m": 1500},
