@@ -70,7 +70,8 @@ final class Inquiry {
     /** The same with a force that was found beside a law: models are simulated with it, and its power counts as noise. */
     private Optional<Inquiry> pushed(PushedLaws.Found law) {
         Evidence knowing = evidence.pushed(law.body(), law.force());
-        return Optional.of(BodyForce.known(knowing, seen(knowing, law.fit()), law.body(), law.force())).filter(BodyForce::independent)
+        return Optional.of(BodyForce.known(knowing, seen(knowing, law.fit()), law.body(), law.force()))
+                .filter(BodyForce::mayBeIndependent)
                 .map(push -> new Inquiry(knowing.with(evidence.acting().withPush(Optional.of(push))), baseline, progress));
     }
 

@@ -96,6 +96,11 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return following.isTold() ? following.isWeak() : carried > ALL;
     }
 
+    /** Whether it may be a cause of its own beside what it holds of the form of a law, which follows the ride. */
+    public boolean mayBeIndependent() {
+        return following.mayStandAlone();
+    }
+
     /** The same force where all masses are greater by a factor. */
     public BodyForce scaled(double factor) {
         return new BodyForce(body, bands.scaled(factor), carried, following, lead);

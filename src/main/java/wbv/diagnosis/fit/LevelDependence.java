@@ -168,6 +168,11 @@ public record LevelDependence(double slope, double doubt, double least) {
         return slope < INDEPENDENT && slope + 2 * doubt < PROPORTION;
     }
 
+    /** Whether it is known not to follow in proportion, nor by as much as half beside what the ride may cause. */
+    boolean mayStandAlone() {
+        return slope + 2 * doubt < PROPORTION && mayBeWeak();
+    }
+
     /** Whether it is known to follow hardly at all. */
     boolean isSurelyWeak() {
         return Math.abs(slope) + doubt < INDEPENDENT;

@@ -52,8 +52,8 @@ public final class PushedLaws {
     public record Found(int body, double[] force, Fitter.State fit) {}
 
     /**
-     * The law and the body that leave least, where they leave far less than the best law by itself and whatever acts on that body by
-     * itself; empty where none does, or outputs are too few to show it.
+     * The law and the body that leave least, where they explain nearly all, and leave far less than the best law by itself and than
+     * whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
      *
      * @param leaders mechanisms by themselves, least first
      */
@@ -66,7 +66,8 @@ public final class PushedLaws {
         List<Turn> begun = IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> begun(body, claims)).toList();
         List<Turn> first = sorted(Parallel.map(begun, turn -> turn.on(Effort.ROUNDS)));
         List<Turn> last = sorted(Parallel.map(first.stream().limit(Effort.LEADERS).toList(), turn -> turn.on(Effort.STEPS)));
-        return last.stream().findFirst().filter(turn -> Effort.BEHIND * Refinement.excess(turn.left()) < alone(turn.body, leaders))
+        return last.stream().findFirst().filter(turn -> Refinement.explainsNearlyAll(base, turn.fit))
+                .filter(turn -> Effort.BEHIND * Refinement.excess(turn.left()) < alone(turn.body, leaders))
                 .map(turn -> new Found(turn.body, turn.known.series(turn.force), turn.fit));
     }
 
