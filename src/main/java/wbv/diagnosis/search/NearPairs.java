@@ -43,9 +43,9 @@ record NearPairs(List<Known.Ignoring> pairs, Twins twins) {
         return Math.max(Locator.reach(all, times), Locator.scatter(base, times));
     }
 
-    /** The first of each pair, best first; of twins one. */
+    /** The first of each pair, best first; of twins one, and none that makes a pair with its twins alone. */
     List<Place> firsts() {
-        return pairs.stream().map(pair -> twins.first(pair.places().get(0))).distinct().toList();
+        return pairs.stream().map(pair -> twins.first(pair.places().get(0))).distinct().filter(one -> !partners(one).isEmpty()).toList();
     }
 
     /** The places that make a pair with one or a twin of it, best first, with the base's numbers as they fit beside both. */

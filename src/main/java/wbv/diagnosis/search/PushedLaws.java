@@ -53,14 +53,16 @@ public final class PushedLaws {
 
     /**
      * The law and the body that leave least, where they explain nearly all, and leave far less than the best law by itself and than
-     * whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
+     * whatever acts on that body by itself; empty where none does, where outputs are too few to show it, and on a rig.
      *
      * @param leaders mechanisms by themselves, least first
      */
     public Optional<Found> best(List<Fitter.State> leaders) {
         Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
                 .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
-        if (claims.isEmpty() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS || !base.candidate().added().isEmpty()) {
+        // A rig has nobody on it who pushes; what stands for a simulation carries forces in links alone as that does.
+        boolean open = !evidence.onRig() && !evidence.standsForSimulation() && evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
+        if (claims.isEmpty() || !open) {
             return Optional.empty();
         }
         List<Turn> begun = IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> begun(body, claims)).toList();
