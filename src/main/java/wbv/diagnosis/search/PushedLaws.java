@@ -60,7 +60,7 @@ public final class PushedLaws {
     public Optional<Found> best(List<Fitter.State> leaders) {
         Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
                 .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
-        // A rig has nobody on it who pushes; what stands for a simulation carries forces in links alone as that does.
+        // A rig has nobody on it who pushes; what stands for a simulation leaves more of its own, which would pass for a force.
         boolean open = !evidence.onRig() && !evidence.standsForSimulation() && evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
         if (claims.isEmpty() || !open) {
             return Optional.empty();
