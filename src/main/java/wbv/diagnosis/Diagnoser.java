@@ -212,8 +212,10 @@ public final class Diagnoser {
         return (open ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough()) : Optional.<BodyForce>empty())
                 .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
-                    return found.isUnexplained() && !evidence.acting().any() ? inquiry.lawBesidePush(leaders)
-                            .or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found) : found;
+                    // A rig has nobody on it who pushes.
+                    boolean alone = !found.isUnexplained() || evidence.acting().any() || evidence.onRig();
+                    return alone ? found : inquiry.lawBesidePush(leaders)
+                            .or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
                 });
     }
 

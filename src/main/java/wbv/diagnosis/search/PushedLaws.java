@@ -53,15 +53,15 @@ public final class PushedLaws {
 
     /**
      * The law and the body that leave least, where they explain nearly all, and leave far less than the best law by itself and than
-     * whatever acts on that body by itself; empty where none does, where outputs are too few to show it, and on a rig.
+     * whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
      *
      * @param leaders mechanisms by themselves, least first
      */
     public Optional<Found> best(List<Fitter.State> leaders) {
         Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
                 .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
-        // A rig has nobody on it who pushes; what stands for a simulation leaves more of its own, which would pass for a force.
-        boolean open = !evidence.onRig() && !evidence.standsForSimulation() && evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
+        // What stands for a simulation leaves more of its own, which would pass for a force.
+        boolean open = !evidence.standsForSimulation() && evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
         if (claims.isEmpty() || !open) {
             return Optional.empty();
         }
