@@ -65,12 +65,14 @@ public final class PushedLaws {
         if (claims.isEmpty() || !open) {
             return Optional.empty();
         }
-        List<Turn> begun = IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> begun(body, claims)).toList();
+        List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
+                .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();
+        List<Turn> begun = IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> begun(body, laws)).toList();
         List<Turn> first = sorted(Parallel.map(begun, turn -> turn.on(Effort.ROUNDS)));
         List<Turn> last = sorted(Parallel.map(first.stream().limit(Effort.LEADERS).toList(), turn -> turn.on(Effort.STEPS)));
         return last.stream().findFirst().filter(turn -> Refinement.explainsNearlyAll(base, turn.fit))
-                .filter(turn -> Effort.BEHIND * Refinement.excess(turn.left()) < alone(turn.body, leaders))
-                .map(turn -> new Found(turn.body, turn.known.series(turn.force), turn.fit));
+                .filter(turn -> Effort.BEHIND * Refinement.excess(turn.left()) < alone(turn.body(), leaders))
+                .map(turn -> new Found(turn.body(), turn.known.series(turn.force), turn.fit));
     }
 
     /** What is left by the best law by itself, or where whatever acts on a body is ignored, beyond noise [1]. */
@@ -84,20 +86,18 @@ public final class PushedLaws {
                 .findFirst().orElseThrow();
     }
 
-    private Stream<Turn> begun(int body, Set<String> claims) {
+    private Stream<Turn> begun(int body, List<Hypothesis> laws) {
         Candidate baseline = base.candidate();
         Place place = new Place(Place.Kind.BODY, body);
         double[] x = place.plain(baseline.template()).asGiven(baseline, beside(body).x());
-        return new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
-                .filter(hypothesis -> claims.contains(hypothesis.claim()))
-                .flatMap(hypothesis -> hypothesis.starts().stream().map(start -> begun(place, x, hypothesis, start)));
+        return laws.stream().flatMap(law -> law.starts().stream().map(start -> begun(place, x, law, start)));
     }
 
     private Turn begun(Place place, double[] x, Hypothesis hypothesis, Start start) {
         Candidate with = base.candidate().with(hypothesis);
         Fitter fitter = new Fitter(evidence.ignoring(place));
         Fitter.State there = fitter.look(with, base.candidate().extended(x, with, hypothesis, start.values()), evidence.fit());
-        return new Turn(place.index(), new Unmeasured(evidence, place), new double[2 * evidence.whole().omega().length], there);
+        return new Turn(new Unmeasured(evidence, place), new double[2 * evidence.whole().omega().length], there);
     }
 
     private static List<Turn> sorted(List<Turn> turns) {
@@ -112,7 +112,11 @@ public final class PushedLaws {
      * @param force as it is known so far [N], spectrum at the lines of the whole recording
      * @param fit simulated with it, in its own frame
      */
-    private record Turn(int body, Unmeasured known, double[] force, Fitter.State fit) {
+    private record Turn(Unmeasured known, double[] force, Fitter.State fit) {
+
+        int body() {
+            return known.place.index();
+        }
 
         double left() {
             return fit.reduced();
@@ -135,7 +139,7 @@ public final class PushedLaws {
             Fitter.State stepped = stepped();
             double[] again = stepped.failed() ? force : known.force(stepped, force);
             Evidence pushed = known.pushed(again);
-            return new Turn(body, known, again, new Fitter(pushed).look(stepped.candidate(), stepped.x(), pushed.fit()));
+            return new Turn(known, again, new Fitter(pushed).look(stepped.candidate(), stepped.x(), pushed.fit()));
         }
 
         /** A few steps, shortened until less is left in the frame where they end: what is ignored lies along another direction there. */
