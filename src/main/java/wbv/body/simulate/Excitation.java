@@ -294,14 +294,31 @@ public final class Excitation {
     }
 
     /**
-     * The same with a force on a body beside it, in place of one that is there.
+     * The same with a force on a body beside it, and beside one that is there already.
      *
      * @param force [N], by sample, as long as this or longer. Not modified.
      */
     public Excitation pushed(int body, double[] force) {
         Map<Integer, double[]> all = new java.util.HashMap<>(pushes);
-        all.put(body, spectrum(Arrays.copyOf(force, samples)));
+        all.merge(body, spectrum(Arrays.copyOf(force, samples)), (there, more) -> {
+            Spectra.add(more, there, 1);
+            return more;
+        });
         return new Excitation(this, base, track, others, recorded, unit, leaps, Map.copyOf(all));
+    }
+
+    /**
+     * The same with the forces on bodies that act beside another.
+     *
+     * @param all of which this is a stretch
+     * @param from its first sample there
+     */
+    public Excitation pushedAs(Excitation all, int from) {
+        Excitation out = this;
+        for (Map.Entry<Integer, double[]> push : all.pushes.entrySet()) {
+            out = out.pushed(push.getKey(), Arrays.copyOfRange(all.series(push.getValue()), from, from + samples));
+        }
+        return out;
     }
 
     /** Whether there is such a force. */

@@ -18,8 +18,6 @@ import wbv.signal.ScalarProduct;
 /** A model run on an input with its stiffnesses, dampings and masses as they may be: each some factor of what was given. */
 final class ModelRuns {
 
-    /** Standard deviation of a normal error half of which is more than 1. */
-    private static final double OF_HALF = 1 / 0.6745;
     /** How well masses of a person are known [1]; those of a bench are as its stiffnesses. */
     private static final double SEGMENT = 0.15;
 
@@ -41,8 +39,7 @@ final class ModelRuns {
         int masses = 2 * structure.links();
         free = IntStream.range(0, values.length).filter(i -> values[i] > 0 && (i < masses || structure.sharing(i - masses).length > 0))
                 .filter(i -> i < masses || !structure.held()).toArray();
-        double number = OF_HALF * Priors.NUMBER;
-        deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? number : SEGMENT).toArray();
+        deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? Priors.NUMBER_DEVIATION : SEGMENT).toArray();
     }
 
     /**

@@ -77,6 +77,15 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return knobs.size() - added.stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
     }
 
+    /**
+     * The same whose links have stiffness and damping that are known at least so well.
+     *
+     * @param most standard deviation of a coordinate [1]
+     */
+    public Candidate surer(double most) {
+        return new Candidate(template, knobs.stream().map(knob -> knob.isOfLink() ? knob.surer(most) : knob).toList(), added, freeWays);
+    }
+
     /** Whether knob i stands apart from the model's structure, as a law's numbers do and a hidden mass does not. */
     boolean isApart(int i) {
         return index(i) >= template.structure().parameters();

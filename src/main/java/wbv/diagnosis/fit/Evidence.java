@@ -223,8 +223,8 @@ public final class Evidence {
      * shorter, see {@link ShakenPart}. Time counts from its own start.
      */
     public Optional<Evidence> brief() {
-        return known.brief(() -> ShakenPart.of(this).map(part -> new Evidence(part, Inputs.whole(part.input()), Windows.whole(part),
-                sources, library, new ConcurrentHashMap<>())));
+        return known.brief(() -> ShakenPart.of(this).map(part -> new Evidence(part.measured(), part.inputs(),
+                Windows.whole(part.measured()), sources, library, new ConcurrentHashMap<>())));
     }
 
     /** The same evidence, with less noise than it is bounded by, where a fit leaves less; empty where nothing shows that. */

@@ -83,6 +83,15 @@ public record Knob(String name, Slot slot, double reference, double unit, double
         return new Knob(name, slot, factor * reference, factor * unit, low, high, deviation, tied);
     }
 
+    /**
+     * The same, known at least so well.
+     *
+     * @param most standard deviation of x [1]
+     */
+    Knob surer(double most) {
+        return new Knob(name, slot, reference, unit, low, high, Math.min(most, deviation), tied);
+    }
+
     /** With another number that goes with it. */
     Knob tied(Slot other, double factor) {
         return new Knob(name, slot, reference, unit, low, high, deviation,

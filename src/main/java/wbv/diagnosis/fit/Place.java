@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
+import wbv.body.Structure;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Addition;
@@ -58,7 +59,7 @@ public record Place(Kind kind, int index) {
     }
 
     /** What it is made of: of a device its channels, of anything else itself. */
-    List<Place> each(Evidence evidence) {
+    public List<Place> each(Evidence evidence) {
         return kind == Kind.DEVICE ? channels(evidence).stream().map(output -> new Place(Kind.SENSOR, output)).toList() : List.of(this);
     }
 
@@ -146,6 +147,24 @@ public record Place(Kind kind, int index) {
     }
 
     /**
+     * A unit force here, as it acts on bodies: on their coordinates, [1] or in a turn's lever arm [m], one a body.
+     *
+     * @throws IllegalStateException if it is a sensor's
+     */
+    public double[] onBodies(Structure structure) {
+        if (isSensor()) {
+            throw new IllegalStateException("no force acts at a sensor");
+        }
+        double[] out = new double[structure.bodies()];
+        if (kind == Kind.BODY) {
+            out[index] = 1;
+        } else {
+            Arrays.setAll(out, body -> -structure.incidence(body, index));
+        }
+        return out;
+    }
+
+    /**
      * What a unit of anything that enters here does to each output at every line of an excitation, spectra by output; of a device each
      * channel does that by itself.
      */
@@ -159,7 +178,7 @@ public record Place(Kind kind, int index) {
      * @param linear asked for forces only
      * @param lines of the excitation
      */
-    double[][] direction(Supplier<Simulator.Linearised> linear, int outputs, int lines) {
+    public double[][] direction(Supplier<Simulator.Linearised> linear, int outputs, int lines) {
         if (!isSensor()) {
             return kind == Kind.BODY ? linear.get().ofBodyForce(index) : linear.get().ofLinkForce(index);
         }

@@ -58,6 +58,27 @@ public final class Readings {
     }
 
     /**
+     * What was measured beyond readings: spectra by output at the lines of the whole recording, in the unit of the output. Faded in and out
+     * for a second, so that its ends make no noise.
+     *
+     * @param read series by output, in its unit. Not modified.
+     */
+    public double[][] beyond(double[][] read) {
+        double rate = evidence.whole().rate();
+        double[][] out = new double[read.length][];
+        for (int o = 0; o < out.length; o++) {
+            double[] left = new double[read[o].length];
+            for (int i = 0; i < left.length; i++) {
+                double inside = Math.min(1, Math.min(i + 0.5, left.length - i - 0.5) / rate);
+                double fading = Math.pow(Math.sin(Math.PI / 2 * inside), 2);
+                left[i] = evidence.valid(o)[i] ? fading * (evidence.measured(o)[i] - read[o][i]) : 0;
+            }
+            out[o] = evidence.whole().spectrum(left);
+        }
+        return out;
+    }
+
+    /**
      * Where a constant does not count, it is what the data of the fit have.
      *
      * @param read modified

@@ -4,14 +4,17 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import wbv.diagnosis.measured.Inputs;
 import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.mechanism.Addition;
 
 /**
  * A part of a ride to try on it what may not be worth the whole: of a person's that in which he is shaken hardest, of a rig's its
  * beginning, before which it was at rest or where its first motion is fitted.
+ *
+ * @param inputs what models are simulated with on it
  */
-final class ShakenPart {
+record ShakenPart(Measured measured, Inputs inputs) {
 
     /** Its length on a sitter's ride [s]. */
     private static final double BRIEF = 36;
@@ -22,15 +25,18 @@ final class ShakenPart {
     /** How many times as long the whole has to be for that to be worth it. */
     private static final double WORTH_A_PART = 1.6;
 
-    private ShakenPart() {}
-
     /** Of what is fitted; empty where that is hardly longer, goes by the clock as a known force does, or is of driven links. */
-    static Optional<Measured> of(Evidence evidence) {
+    static Optional<ShakenPart> of(Evidence evidence) {
         int n = length(evidence);
         Window fit = evidence.fit();
         boolean whole = evidence.isLate() || evidence.model().driven() || Addition.byTheClock(evidence.model().assembly())
-                || evidence.excitation().isPushed() || fit.length() < WORTH_A_PART * n;
-        return whole ? Optional.empty() : Optional.of(evidence.measured().part(evidence.onRig() ? 0 : hardest(evidence, n), n));
+                || fit.length() < WORTH_A_PART * n;
+        return whole ? Optional.empty() : Optional.of(of(evidence, evidence.onRig() ? 0 : hardest(evidence, n), n));
+    }
+
+    private static ShakenPart of(Evidence evidence, int from, int length) {
+        Measured part = evidence.measured().part(from, length);
+        return new ShakenPart(part, Inputs.whole(part.input().pushedAs(evidence.whole(), from)));
     }
 
     private static int length(Evidence evidence) {

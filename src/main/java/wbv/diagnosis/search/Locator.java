@@ -20,17 +20,17 @@ public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
     static final int FEWEST_OUTPUTS = 2 + 1;
-    /** Of one that starts anew, before the frame is made again where it stands. */
-    private static final int OWN_STEPS = 3;
-    /** Of those few that leave little then: what they leave is held against noise. */
-    private static final int LAST_STEPS = 20;
-    /** The same for a last round. */
+    /** How many times as far from the noise as the best a place may be that is fitted to the end: what it leaves is held against noise. */
     private static final double NEAR = 3;
     private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
     private static final Comparator<Begun> WARMEST = Comparator.comparing(Begun::found, BEST);
+    private static final Comparator<Looked> LEAST = Comparator.comparing(Looked::found, BEST);
+    private static final Comparator<VariableProjection.Turn> COST = Comparator.comparingDouble(turn -> turn.fit().cost());
 
     private final Evidence evidence;
     private final Candidate baseline;
+    /** The same, held where a place that is ignored leaves nothing to tell its numbers. */
+    private final Candidate believed;
 
     /**
      * Among the places of this evidence.
@@ -40,6 +40,7 @@ public final class Locator {
     public Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
         this.baseline = baseline;
+        this.believed = baseline.surer(Priors.NUMBER_DEVIATION);
     }
 
     /**
@@ -71,12 +72,21 @@ public final class Locator {
         if (evidence.outputs().size() < 2) {
             return List.of();
         }
-        List<Place> all = Place.andDevices(evidence);
-        List<Known.Ignoring> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(List::of).toList(), starts);
-        List<Known.Ignoring> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
-                .filter(found -> found.places().get(0).equals(plain(place)))
-                .map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced()))).toList();
+        List<Known.Ignoring> plain = found(twins().firsts().stream().map(List::of).toList(), starts).stream().flatMap(this::alike).toList();
+        List<Known.Ignoring> renamed = Place.andDevices(evidence).stream().filter(place -> !place.equals(plain(place)))
+                .flatMap(place -> plain.stream().filter(found -> found.places().get(0).equals(plain(place)))
+                        .map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced())))
+                .toList();
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
+    }
+
+    private Twins twins() {
+        return Twins.of(evidence, baseline);
+    }
+
+    /** The same of all places that no output tells from those. */
+    private Stream<Known.Ignoring> alike(Known.Ignoring found) {
+        return twins().alike(found.places()).map(places -> new Known.Ignoring(places, found.x(), found.reduced()));
     }
 
     /**
@@ -85,15 +95,17 @@ public final class Locator {
      * @param all places one by one
      */
     List<Known.Ignoring> pairs(List<Known.Ignoring> all) {
-        List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
+        List<Place> firsts = twins().firsts();
+        List<Known.Ignoring> singles = all.stream().filter(found -> firsts.contains(found.places().get(0))).toList();
         List<List<Place>> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(Effort.PLACES, singles.size()); i++) {
             for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
                 asked.add(List.of(singles.get(i).places().get(0), second.places().get(0)));
             }
         }
-        return isBlindToTwo() ? asked.stream().map(pair -> left(singles, pair)).toList()
+        List<Known.Ignoring> found = isBlindToTwo() ? asked.stream().map(pair -> left(singles, pair)).toList()
                 : found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
+        return found.stream().flatMap(this::alike).toList();
     }
 
     /** Whether outputs are so few that two places explain anything. */
@@ -109,11 +121,14 @@ public final class Locator {
     /**
      * What is left where one place is ignored.
      *
-     * @param x where fits start
+     * @param x where fits start, told as in {@link #singles}
      */
     double left(Place place, double[] x) {
-        return found(List.of(List.of(place)), List.of(x, baseline.start())).get(0).reduced();
+        return evidence.known().once(new One(new At(baseline, x), place), Double.class,
+                () -> found(List.of(List.of(place)), List.of(x, baseline.start())).get(0).reduced());
     }
+
+    private record One(At at, Place place) {}
 
     /**
      * The same as it was found among all places.
@@ -136,7 +151,7 @@ public final class Locator {
      */
     private List<Known.Ignoring> found(List<List<Place>> all, List<double[]> starts) {
         Fitter fitter = new Fitter(evidence);
-        List<BlindFit> blind = Parallel.map(starts, x -> fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit())))
+        List<BlindFit> blind = Parallel.map(starts, x -> fitter.lookWithSlopes(believed, x, fitter.frame(believed, x, evidence.fit())))
                 .stream().filter(state -> !state.failed()).map(state -> new BlindFit(evidence, fitter.about(state), state)).toList();
         if (blind.isEmpty()) {
             return all.stream().map(places -> new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY)).toList();
@@ -144,19 +159,38 @@ public final class Locator {
         List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
                 .map(fit -> new Begun(fit.start(), fit.ignoring(places, Effort.FINAL_STEPS))).sorted(WARMEST).limit(Effort.SECONDS)
                 .toList());
-        List<Known.Ignoring> leading = sorted(heat.stream().map(begun -> begun.get(0).found()).toList());
-        // Where all leave much, all are near the best, and the best of them is hardly the place either.
-        double last = leading.stream().limit(Effort.CONTENDERS).mapToDouble(Known.Ignoring::reduced).max().orElse(Double.POSITIVE_INFINITY);
-        double reach = Math.min(reach(leading, Effort.BEHIND), last);
-        return again(sorted(Parallel.map(heat, begun -> begun.get(0).found().reduced() > reach ? begun.get(0).found() : near(begun))));
+        List<Looked> looked = new ArrayList<>(
+                heat.stream().map(begun -> new Looked(begun, false, begun.get(0).found())).sorted(LEAST).toList());
+        for (int round = 0; round < Effort.SECONDS; round++) {
+            // What was begun is seen in the frame where it began: what is near so is fitted in its own.
+            double reach = reach(looked.stream().map(Looked::found).toList(), Effort.BEHIND);
+            List<Looked> first = looked.subList(0, Math.min(Effort.CONTENDERS, looked.size()));
+            List<Looked> near = Parallel.map(first, each -> each.isNear() || each.found().reduced() > reach ? each : near(each.begun()));
+            for (int i = 0; i < near.size(); i++) {
+                looked.set(i, near.get(i));
+            }
+            looked.sort(LEAST);
+        }
+        return again(looked.stream().map(Looked::found).toList());
     }
 
-    /** Where the best of the warmest and of what begins anew leads: steps with another fit's derivatives may go astray. */
-    private Known.Ignoring near(List<Begun> begun) {
+    /**
+     * Where the numbers as they were given lead, of which those that nothing tells stay; if less was promised, the best of where the
+     * warmest leads and of what begins anew: steps with another fit's derivatives may go astray.
+     */
+    private Looked near(List<Begun> begun) {
         Known.Ignoring warmest = begun.get(0).found();
-        return further(Stream.concat(Stream.of(warmest), begun.stream()
-                .map(each -> further(new Known.Ignoring(warmest.places(), each.start(), Double.POSITIVE_INFINITY), OWN_STEPS)))
-                .min(BEST).orElseThrow(), Effort.HEAT_STEPS);
+        VariableProjection beside = new VariableProjection(evidence, warmest.places());
+        VariableProjection.Turn turn = beside.at(believed, believed.start()).on(Effort.ROUNDS);
+        if (turn.fit().reduced() > (1 + Effort.ROUGH) * warmest.reduced()) {
+            turn = Stream.concat(Stream.of(turn), Stream.concat(Stream.of(warmest.x()), begun.stream().map(Begun::start))
+                    .map(x -> beside.at(believed, x).on(1))).min(COST).orElseThrow().on(Effort.ROUNDS);
+        }
+        return new Looked(begun, true, found(warmest.places(), turn));
+    }
+
+    private static Known.Ignoring found(List<Place> places, VariableProjection.Turn turn) {
+        return new Known.Ignoring(places, turn.fit().x(), turn.fit().reduced());
     }
 
     /**
@@ -167,13 +201,21 @@ public final class Locator {
     private record Begun(double[] start, Known.Ignoring found) {}
 
     /**
+     * What some places leave.
+     *
+     * @param isNear whether that is seen in its own frame
+     */
+    private record Looked(List<Begun> begun, boolean isNear, Known.Ignoring found) {}
+
+    /**
      * More steps for those that leave little more than the best.
      *
      * @param found best first
      */
     private List<Known.Ignoring> again(List<Known.Ignoring> found) {
         double reach = reach(found, NEAR);
-        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each : further(each, LAST_STEPS)));
+        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
+                : found(each.places(), new VariableProjection(evidence, each.places()).at(believed, each.x()).on(Effort.STEPS))));
     }
 
     /**
@@ -201,16 +243,5 @@ public final class Locator {
         List<Known.Ignoring> out = new ArrayList<>(found);
         out.sort(BEST);
         return out;
-    }
-
-    /** Fitted on, in a whitening that ignores the places. */
-    private Known.Ignoring further(Known.Ignoring found, int steps) {
-        Evidence seen = evidence;
-        for (Place place : found.places()) {
-            seen = seen.ignoring(place);
-        }
-        Fitter fitter = new Fitter(seen);
-        Fitter.State state = fitter.glimpse(baseline, found.x(), fitter.frame(baseline, found.x(), seen.fit()), steps, Effort.ROUGH);
-        return state.reduced() < found.reduced() ? new Known.Ignoring(found.places(), state.x(), state.reduced()) : found;
     }
 }

@@ -24,7 +24,7 @@ record NearPairs(List<Known.Ignoring> pairs, Twins twins) {
      */
     static NearPairs of(Evidence evidence, Fitter.State base, List<Known.Ignoring> all) {
         return new NearPairs(near(all, base),
-                new Twins(evidence, base.candidate(), base.x(), all.stream().flatMap(pair -> pair.places().stream()).distinct().toList()));
+                Twins.of(evidence, base.candidate()));
     }
 
     /** Those pairs alone. */

@@ -8,6 +8,7 @@ import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.InputWay;
+import wbv.diagnosis.fit.Place;
 
 /**
  * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link wbv.diagnosis.fit.Whitening} has it,
@@ -42,6 +43,19 @@ public final class NoiseMetric {
             Arrays.setAll(power, k -> force.power(omega[k] / (2 * Math.PI)));
             sources.add(new Source(power, new Simulator(from).linearised(assembly).ofBodyForce(force.body())));
         });
+    }
+
+    /**
+     * The metric that sees nothing of what enters at some places.
+     *
+     * @param places no devices, see {@link Place#each}
+     */
+    static NoiseMetric ignoring(Evidence evidence, Excitation from, Assembly assembly, List<Place> places) {
+        NoiseMetric out = new NoiseMetric(evidence, from, assembly);
+        double[] any = new double[from.omega().length];
+        Arrays.fill(any, Double.POSITIVE_INFINITY);
+        places.forEach(place -> out.sources.add(new Source(any, place.direction(from, assembly))));
+        return out;
     }
 
     /** S at one line for one output: the variance of a sample of white noise as strong, in the square of the output's unit. */
@@ -81,7 +95,8 @@ public final class NoiseMetric {
         double[] xy = product(x, y, line, count - 1);
         double[] xg = product(x, last.way(), line, count - 1);
         double[] gy = product(last.way(), y, line, count - 1);
-        double scale = last.power()[line] / (1 + last.power()[line] * product(last.way(), last.way(), line, count - 1)[0]);
+        double known = 1 / last.power()[line] + product(last.way(), last.way(), line, count - 1)[0];
+        double scale = known > 0 ? 1 / known : 0;
         out[0] = xy[0] - scale * (xg[0] * gy[0] - xg[1] * gy[1]);
         out[1] = xy[1] - scale * (xg[0] * gy[1] + xg[1] * gy[0]);
         return out;

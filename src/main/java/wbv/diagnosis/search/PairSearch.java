@@ -111,7 +111,8 @@ public final class PairSearch {
             return sought.get();
         }
         Optional<List<Fitter.State>> first = places.mayBeOne() ? Optional.of(sought.get()) : Optional.empty();
-        return first.filter(found -> found.stream().anyMatch(this::leavesLess)).or(this::parts).or(() -> first).orElseGet(sought);
+        return first.filter(found -> atAny() <= QUIET || found.stream().anyMatch(this::leavesLess)).or(this::parts).or(() -> first)
+                .orElseGet(sought);
     }
 
     /** Whether two mechanisms at two places explain nearly all where no one place will do: nothing hides what else is missing then. */

@@ -51,6 +51,8 @@ public final class Priors {
      * concealed recordings are as likely with 0.2 and 0.4.
      */
     public static final double NUMBER = 0.3;
+    /** The same as the standard deviation of a normal error, of which half lies within 0.6745 [1]. */
+    public static final double NUMBER_DEVIATION = NUMBER / 0.6745;
     /** How well a user knows a mass of the model, each on its own [1]: assumed. */
     public static final double MASS = 0.1;
     /** How likely it is that a sensor is at fault which is later than sensors scatter [1]: assumed. */

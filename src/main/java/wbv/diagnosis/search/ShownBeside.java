@@ -1,5 +1,9 @@
 package wbv.diagnosis.search;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +13,9 @@ import java.util.function.Supplier;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Which mechanisms show at a place while whatever enters at another is ignored. No mechanism at that other place can leave less than is
@@ -70,13 +76,47 @@ final class ShownBeside {
 
     private Shown sought(Place ignored, Map<Place, double[]> places) {
         Candidate baseline = base.candidate();
-        Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.base(baseline, places.values().iterator().next());
-        if (without.reduced() < Priors.SILENT) {
-            return new Shown(without, List.of());
+        VariableProjection beside = new VariableProjection(evidence, List.of(ignored));
+        Fitter.State alone = beside.at(baseline.surer(Priors.NUMBER_DEVIATION), places.values().iterator().next()).on(Effort.ROUNDS).fit();
+        if (alone.reduced() < Priors.SILENT) {
+            return new Shown(alone, List.of());
         }
+        Search blind = new Search(evidence.ignoring(ignored), progress);
+        Fitter.State without = blind.fitter().lookWithSlopes(baseline, alone.x(),
+                blind.fitter().frame(baseline, alone.x(), evidence.fit()));
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
-        return new Shown(without, blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given)));
+        List<Fitter.State> found = blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given));
+        return new Shown(without, Trial.sorted(answering(beside, blind.hypotheses(without), found)));
+    }
+
+    /**
+     * The same where laws answer to what is ignored too, which shows once there is a law: the best few, and the best of these in all of its
+     * forms.
+     *
+     * @param all hypotheses of the library
+     */
+    private List<Fitter.State> answering(VariableProjection beside, List<Hypothesis> all, List<Fitter.State> found) {
+        List<Fitter.State> out = new ArrayList<>(found);
+        Set<String> claims = new HashSet<>();
+        List<Fitter.State> first = found.stream().filter(fit -> claims.add(fit.candidate().last().claim())).limit(Effort.LEADERS).toList();
+        out.removeAll(first);
+        List<Fitter.State> answering = Parallel.map(first, fit -> beside.at(fit.candidate(), fit.x()).on(Effort.STEPS).fit());
+        out.addAll(answering);
+        answering.stream().min(Comparator.comparingDouble(Fitter.State::reduced)).ifPresent(best -> {
+            Hypothesis one = best.candidate().last();
+            List<Hypothesis> forms = all.stream().filter(form -> form.claim().equals(one.claim()) && !form.name().equals(one.name()))
+                    .toList();
+            out.addAll(Parallel.map(forms, form -> from(best, form, beside)));
+        });
+        return out;
+    }
+
+    /** Another form of what a fit has, from the start that begins best. */
+    private Fitter.State from(Fitter.State fit, Hypothesis form, VariableProjection beside) {
+        double[] x = Arrays.copyOf(fit.x(), base.x().length);
+        Candidate with = base.candidate().with(form);
+        return form.starts().stream().map(start -> beside.at(with, base.candidate().extended(x, with, form, start.values())))
+                .min(Comparator.comparingDouble(turn -> turn.fit().cost())).orElseThrow().on(Effort.STEPS).fit();
     }
 }

@@ -2,7 +2,8 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.body.Assembly;
+import java.util.stream.Stream;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Place;
@@ -19,16 +20,21 @@ final class Twins {
 
     private final List<List<Place>> sets = new ArrayList<>();
 
-    /**
-     * Among some places.
-     *
-     * @param x the model's numbers, coordinates [1], one a knob. Not modified.
-     */
-    Twins(Evidence evidence, Candidate model, double[] x, List<Place> places) {
-        Assembly assembly = model.at(x);
+    /** Among the places of some evidence, by their plain names, kept with it. */
+    static Twins of(Evidence evidence, Candidate model) {
+        return evidence.known().once(new In(model), Twins.class, () -> new Twins(evidence, model, Place.andDevices(evidence).stream()
+                .filter(place -> place.equals(place.plain(model.template()))).toList()));
+    }
+
+    private record In(Candidate model) {}
+
+    /** Among some places. */
+    Twins(Evidence evidence, Candidate model, List<Place> places) {
+        Simulator simulator = new Simulator(evidence.excitation());
+        Simulator.Linearised linear = simulator.linearised(simulator.equivalent(model.at(model.start())));
         List<double[][]> directions = new ArrayList<>();
         for (Place place : places) {
-            double[][] direction = place.direction(evidence.excitation(), assembly);
+            double[][] direction = place.direction(() -> linear, evidence.outputs().size(), evidence.excitation().omega().length);
             int same = 0;
             while (same < sets.size() && !(isOne(sets.get(same).get(0), place) && isAlong(directions.get(same), direction))) {
                 same++;
@@ -41,6 +47,11 @@ final class Twins {
         }
     }
 
+    /** The first of each set. */
+    List<Place> firsts() {
+        return sets.stream().map(set -> set.get(0)).toList();
+    }
+
     /** Those that are told apart from none of each other, the place among them; in the order they were given. */
     List<Place> of(Place place) {
         return sets.stream().filter(set -> set.contains(place)).findFirst().orElse(List.of(place));
@@ -49,6 +60,15 @@ final class Twins {
     /** The first of them, which stands for all. */
     Place first(Place place) {
         return of(place).get(0);
+    }
+
+    /** Places as they are, or with any twin in the place of each. */
+    Stream<List<Place>> alike(List<Place> places) {
+        Stream<List<Place>> out = Stream.of(List.of());
+        for (Place place : places) {
+            out = out.flatMap(some -> of(place).stream().map(twin -> Stream.concat(some.stream(), Stream.of(twin)).toList()));
+        }
+        return out;
     }
 
     /** Whether what enters at two places has one direction each: at a device each channel has its own. */

@@ -49,7 +49,7 @@ class TwinsTest {
         Evidence evidence = new Evidence(ModelFile.read(file), made.recording());
         Candidate baseline = Baseline.of(evidence);
         List<Place> places = Place.all(evidence);
-        Twins twins = new Twins(evidence, baseline, baseline.start(), places);
+        Twins twins = new Twins(evidence, baseline, places);
         return places.stream().map(twins::of).map(set -> set.stream().map(place -> place.name(evidence)).collect(Collectors.joining(" ")))
                 .collect(Collectors.toSet());
     }
