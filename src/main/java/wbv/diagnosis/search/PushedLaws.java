@@ -2,9 +2,12 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -16,12 +19,11 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.mechanism.Start;
 
 /**
- * A law and a force on a body that nobody measured, fitted together. A law that is not linear answers to the force too, of which its free
- * run knows nothing as long as the force is but ignored. So models are simulated with the force as what a fit leaves along its direction
- * shows it, and the two are found in turn.
+ * A mechanism and a force on a body that nobody measured, fitted together: by itself neither shows what it is beside the other. A law that
+ * is not linear answers to the force too, of which its free run knows nothing as long as the force is but ignored. So models are simulated
+ * with the force as what a fit leaves along its direction shows it, and the two are found in turn.
  */
 public final class PushedLaws {
 
@@ -39,42 +41,64 @@ public final class PushedLaws {
     }
 
     /**
-     * A law, found beside a force.
+     * A mechanism, found beside a force.
      *
      * @param body on which that acts
      * @param force [N], by sample of the recording
-     * @param fit of the law, blind to whatever acts on that body
+     * @param fit of the mechanism, blind to whatever acts on that body
      */
     public record Found(int body, double[] force, Fitter.State fit) {}
 
     /**
-     * The law and the body that leave least, where they explain nearly all, and leave far less than the best law by itself and than
-     * whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
+     * The mechanism and the body that leave least, where they explain nearly all, and leave far less than the best mechanism by itself and
+     * than whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
      *
      * @param leaders mechanisms by themselves, least first
      */
     public Optional<Found> best(List<Fitter.State> leaders) {
-        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
-                .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
         // What stands for a simulation leaves more of its own, which would pass for a force.
-        boolean open = !evidence.standsForSimulation() && evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
-        if (claims.isEmpty() || !open) {
+        if (evidence.standsForSimulation() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
-        List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
-                .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();
-        List<Supplier<Begun>> starts = IntStream.range(0, evidence.model().bodies().size()).boxed()
-                .flatMap(body -> starts(body, laws)).toList();
+        double single = Stream.concat(leaders.stream().limit(1), Stream.of(base)).mapToDouble(Fitter.State::reduced).min().orElseThrow();
+        return enough(shown(), single).or(() -> enough(laws(leaders), single));
+    }
+
+    private Optional<Found> enough(List<Supplier<Begun>> starts, double single) {
         List<Begun> first = sorted(Parallel.map(starts, start -> start.get().on(Effort.ROUNDS)));
         List<Begun> last = sorted(Parallel.map(first.stream().limit(Effort.LEADERS).toList(), begun -> begun.on(Effort.STEPS)));
         return last.stream().findFirst().filter(begun -> Refinement.explainsNearlyAll(base, begun.turn().fit()))
-                .filter(begun -> Effort.BEHIND * Refinement.excess(begun.left()) < alone(begun.body(), leaders))
+                .filter(begun -> Effort.BEHIND * Refinement.excess(begun.left()) < Refinement
+                        .excess(Math.min(single, beside(begun.body()).reduced())))
                 .map(begun -> new Found(begun.body(), begun.turn().force(0), begun.turn().fit()));
     }
 
-    /** What is left by the best law by itself, or where whatever acts on a body is ignored, beyond noise [1]. */
-    private double alone(int body, List<Fitter.State> leaders) {
-        return Refinement.excess(Math.min(leaders.get(0).reduced(), beside(body).reduced()));
+    /** What showed beside each body whose force is ignored, if it makes one of two places at which all may enter. */
+    private List<Supplier<Begun>> shown() {
+        BiConsumer<String, Double> silent = (step, share) -> {};
+        TwoPlaces two = new TwoPlaces(evidence, new Search(evidence, silent), base, silent);
+        NearPairs near = NearPairs.of(evidence, base, two.pairs(two.looked(two.likeliest())));
+        List<Supplier<Begun>> out = new ArrayList<>();
+        for (int body = 0; body < evidence.model().bodies().size(); body++) {
+            Place place = new Place(Place.Kind.BODY, body);
+            Place first = near.twins().first(place.plain(base.candidate().template()));
+            Map<Place, double[]> partners = near.partners(first);
+            List<Fitter.State> fits = partners.isEmpty() ? List.of()
+                    : new ShownBeside(evidence, base, silent).among(first, partners).fits();
+            Set<String> claims = new HashSet<>();
+            fits.stream().filter(fit -> Refinement.explainsNearlyAll(base, fit) && claims.add(fit.candidate().last().claim()))
+                    .limit(Effort.SECONDS).forEach(fit -> out.add(() -> begun(place, fit.candidate(), fit.x())));
+        }
+        return out;
+    }
+
+    /** The laws that lead by themselves, beside each body. */
+    private List<Supplier<Begun>> laws(List<Fitter.State> leaders) {
+        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
+                .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
+        List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
+                .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();
+        return IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> starts(body, laws)).toList();
     }
 
     private Known.Ignoring beside(int body) {
@@ -87,13 +111,14 @@ public final class PushedLaws {
         Candidate baseline = base.candidate();
         Place place = new Place(Place.Kind.BODY, body);
         double[] x = place.plain(baseline.template()).asGiven(baseline, beside(body).x());
-        return laws.stream().flatMap(law -> law.starts().stream().map(start -> () -> begun(place, x, law, start)));
+        return laws.stream().flatMap(law -> {
+            Candidate with = baseline.with(law);
+            return law.starts().stream().map(start -> () -> begun(place, with, baseline.extended(x, with, law, start.values())));
+        });
     }
 
-    private Begun begun(Place place, double[] x, Hypothesis hypothesis, Start start) {
-        Candidate with = base.candidate().with(hypothesis);
-        return new Begun(place.index(),
-                new VariableProjection(evidence, List.of(place)).at(with, base.candidate().extended(x, with, hypothesis, start.values())));
+    private Begun begun(Place body, Candidate candidate, double[] x) {
+        return new Begun(body.index(), new VariableProjection(evidence, List.of(body)).at(candidate, x));
     }
 
     private static List<Begun> sorted(List<Begun> all) {

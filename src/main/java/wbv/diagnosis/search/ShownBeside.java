@@ -77,13 +77,11 @@ final class ShownBeside {
     private Shown sought(Place ignored, Map<Place, double[]> places) {
         Candidate baseline = base.candidate();
         VariableProjection beside = new VariableProjection(evidence, List.of(ignored));
-        Fitter.State alone = beside.at(baseline.surer(Priors.NUMBER_DEVIATION), places.values().iterator().next()).on(Effort.ROUNDS).fit();
-        if (alone.reduced() < Priors.SILENT) {
-            return new Shown(alone, List.of());
+        Fitter.State without = beside.base(baseline, places.values().iterator().next());
+        if (without.reduced() < Priors.SILENT) {
+            return new Shown(without, List.of());
         }
         Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.fitter().lookWithSlopes(baseline, alone.x(),
-                blind.fitter().frame(baseline, alone.x(), evidence.fit()));
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> found = blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given));

@@ -114,7 +114,7 @@ public final class Whereabouts {
 
     /** The fit on all data beside a place. */
     private Fitter.State whole(Known.Ignoring place) {
-        return places.whole().computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
+        return places.whole().computeIfAbsent(place, found -> new VariableProjection(evidence, found.places()).base(baseline, found.x()));
     }
 
     /**
