@@ -81,7 +81,12 @@ public final class Search {
         for (int round = 0; round < Effort.ROUNDS; round++) {
             x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.OWN_STEPS, Effort.EXACT).x();
         }
-        return fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit()));
+        return sloped(baseline, x);
+    }
+
+    /** A fit in its own frame, with its derivatives. */
+    Fitter.State sloped(Candidate candidate, double[] x) {
+        return fitter.lookWithSlopes(candidate, x, fitter.frame(candidate, x, evidence.fit()));
     }
 
     /**

@@ -77,11 +77,12 @@ final class ShownBeside {
     private Shown sought(Place ignored, Map<Place, double[]> places) {
         Candidate baseline = base.candidate();
         VariableProjection beside = new VariableProjection(evidence, List.of(ignored));
-        Fitter.State without = beside.base(baseline, places.values().iterator().next());
-        if (without.reduced() < Priors.SILENT) {
-            return new Shown(without, List.of());
+        Fitter.State alone = beside.base(baseline, places.values().iterator().next()).fit();
+        if (alone.reduced() < Priors.SILENT) {
+            return new Shown(alone, List.of());
         }
         Search blind = new Search(evidence.ignoring(ignored), progress);
+        Fitter.State without = blind.sloped(baseline, alone.x());
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> found = blind.leaders(without, Effort.LEADERS, Whereabouts.among(evidence, baseline, given));

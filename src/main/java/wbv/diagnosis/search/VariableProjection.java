@@ -56,15 +56,12 @@ public final class VariableProjection {
     }
 
     /**
-     * The user's model beside the places, as the evidence sees it that is blind to them. With its derivatives. Its numbers stay as given
-     * where nothing tells them.
+     * The user's model beside the places. Its numbers stay as given where nothing tells them.
      *
      * @param x where it starts: coordinates [1], one a knob. Not modified.
      */
-    Fitter.State base(Candidate baseline, double[] x) {
-        double[] fitted = at(baseline.surer(Priors.NUMBER_DEVIATION), x).on(Effort.ROUNDS).fit().x();
-        Fitter fitter = new Fitter(blind);
-        return fitter.lookWithSlopes(baseline, fitted, fitter.frame(baseline, fitted, blind.fit()));
+    Turn base(Candidate baseline, double[] x) {
+        return at(baseline, at(baseline.surer(Priors.NUMBER_DEVIATION), x).on(Effort.ROUNDS).fit().x());
     }
 
     /** A model, and what enters at the places beside it, so far. */

@@ -35,7 +35,7 @@ public final class Whereabouts {
      * @param inPart whether a part of the data may show what all of them do, for all that is known
      * @param whole  fits beside a place on all data, each made once
      */
-    private record Places(List<Known.Ignoring> found, boolean inPart, Map<Known.Ignoring, Fitter.State> whole) {
+    private record Places(List<Known.Ignoring> found, boolean inPart, Map<Known.Ignoring, VariableProjection.Turn> whole) {
 
         static Places of(List<Known.Ignoring> found, boolean inPart) {
             return new Places(List.copyOf(found), inPart, new HashMap<>());
@@ -109,11 +109,11 @@ public final class Whereabouts {
             return true;
         }
         Known.Ignoring first = places.found().get(0);
-        return Refinement.excess(whole(first).reduced()) < Effort.ALIKE * Refinement.excess(first.reduced());
+        return Refinement.excess(whole(first).fit().reduced()) < Effort.ALIKE * Refinement.excess(first.reduced());
     }
 
     /** The fit on all data beside a place. */
-    private Fitter.State whole(Known.Ignoring place) {
+    private VariableProjection.Turn whole(Known.Ignoring place) {
         return places.whole().computeIfAbsent(place, found -> new VariableProjection(evidence, found.places()).base(baseline, found.x()));
     }
 
@@ -176,8 +176,8 @@ public final class Whereabouts {
         List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(Effort.PLACES)
                 .toList();
         for (Known.Ignoring found : asked) {
-            Evidence blind = evidence.ignoring(found.places().get(0));
-            Fitter.State without = whole(found);
+            Evidence blind = whole(found).evidence();
+            Fitter.State without = new Search(blind, (step, share) -> {}).sloped(baseline, whole(found).fit().x());
             if (without.reduced() < Priors.NOISE) {
                 return Optional.empty();
             }
