@@ -1,5 +1,6 @@
 package wbv.diagnosis.learn;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -7,6 +8,7 @@ import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
 import wbv.diagnosis.fit.Remainder;
 import wbv.diagnosis.search.NoiseMetric;
 
@@ -112,20 +114,9 @@ public final class LatentEstimator {
         return out;
     }
 
-    /** Measured minus simulated, faded in and out so that the ends of the record make no noise. */
+    /** Measured minus simulated, spectra. */
     private double[][] residual(double[][] simulated) {
-        double[][] out = new double[simulated.length][];
-        int fade = (int) whole.rate();
-        for (int o = 0; o < out.length; o++) {
-            double[] series = whole.series(simulated[o]);
-            for (int i = 0; i < series.length; i++) {
-                double inside = Math.min(1, Math.min(i + 0.5, series.length - i - 0.5) / fade);
-                double fading = Math.pow(Math.sin(Math.PI / 2 * inside), 2);
-                series[i] = evidence.valid(o)[i] ? fading * (evidence.measured(o)[i] - series[i]) : 0;
-            }
-            out[o] = whole.spectrum(series);
-        }
-        return out;
+        return new Readings(evidence).beyond(Arrays.stream(simulated).map(whole::series).toArray(double[][]::new));
     }
 
     /** How much of each line is taken from the recording. */
