@@ -19,7 +19,7 @@ import wbv.diagnosis.fit.Readings;
  * model's numbers. So models are simulated with the force as it was found last: then the derivatives are those of what was eliminated but
  * for a part as small as what is left (Kaufman 1975), and a law answers to the force too.
  */
-public final class VariableProjection {
+final class VariableProjection {
 
     private final Evidence evidence;
     private final Evidence blind;
@@ -33,7 +33,7 @@ public final class VariableProjection {
      *
      * @param evidence that sees all of them
      */
-    public VariableProjection(Evidence evidence, List<Place> places) {
+    VariableProjection(Evidence evidence, List<Place> places) {
         this.evidence = evidence;
         this.places = places.stream().flatMap(place -> place.each(evidence).stream()).toList();
         this.acting = this.places.stream().filter(place -> !place.isSensor()).toList();
@@ -49,7 +49,7 @@ public final class VariableProjection {
      *
      * @param x coordinates [1], one a knob. Not copied, not modified.
      */
-    public Turn at(Candidate candidate, double[] x) {
+    Turn at(Candidate candidate, double[] x) {
         Fitter fitter = new Fitter(blind);
         return new Turn(new double[acting.size()][2 * evidence.whole().omega().length], blind, fitter,
                 fitter.look(candidate, x, evidence.fit())).known();
@@ -65,7 +65,7 @@ public final class VariableProjection {
     }
 
     /** A model, and what enters at the places beside it, so far. */
-    public final class Turn {
+    final class Turn {
 
         private final double[][] forces;
         private final Evidence knowing;
@@ -80,7 +80,7 @@ public final class VariableProjection {
         }
 
         /** The model, simulated with what enters, in its own frame. */
-        public Fitter.State fit() {
+        Fitter.State fit() {
             return fit;
         }
 
