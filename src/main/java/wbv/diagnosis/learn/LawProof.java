@@ -12,6 +12,7 @@ import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
 /** Whether a law is asked for, and whether one that was fitted holds: on data that were not used, and against what is known without it. */
@@ -69,8 +70,7 @@ public final class LawProof {
 
     /** Whether more than noise is left, and more than a formula that is right may leave. */
     private static boolean leavesMuch(Fits named) {
-        double right = Priors.FORM * Priors.FORM * (named.base().reduced() - 1);
-        return named.best().reduced() > Priors.SILENT && named.best().reduced() - 1 > right;
+        return named.best().reduced() > Math.max(Priors.SILENT, Refinement.form(named.base()));
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
 
@@ -34,7 +35,7 @@ final class FurtherForm {
         List<Fitter.State> from = List.of(fit);
         while (!from.isEmpty()) {
             // A number more may do nothing by itself and much with a second.
-            from = from.stream().flatMap(this::forms).toList();
+            from = polished(from.stream().flatMap(this::forms).toList());
             Fitter.State simpler = out.isEmpty() ? fit : out.get(out.size() - 1);
             for (Fitter.State other : from) {
                 List<Fitter.State> shorter = shorter(other);
@@ -47,15 +48,26 @@ final class FurtherForm {
         return out;
     }
 
-    private Stream<Fitter.State> forms(Fitter.State fit) {
+    /**
+     * A form from where another fit stands.
+     *
+     * @param starts of the form's numbers, each in its unit
+     */
+    private record Begun(Fitter.State at, Hypothesis form, List<double[]> starts) {}
+
+    private List<Fitter.State> polished(List<Begun> forms) {
+        return Parallel.map(forms, begun -> refinement.polished(base.candidate(), begun.form(), numbers(begun.at()), begun.at().frame(),
+                begun.starts())).stream().flatMap(List::stream).toList();
+    }
+
+    private Stream<Begun> forms(Fitter.State fit) {
         double[] found = values(fit);
         Hypothesis plain = fit.candidate().last();
         return Stream
                 .concat(plain.kind().further(plain, found).stream(),
                         plain.form().isEmpty() ? all.stream().filter(form -> form.claim().equals(plain.claim()))
                                 .flatMap(form -> plain.kind().begunAt(form, found).stream()) : Stream.empty())
-                .flatMap(form -> refinement.polished(base.candidate(), form, numbers(fit), fit.frame(),
-                        form.starts().stream().map(Start::values).toList()).stream());
+                .map(form -> new Begun(fit, form, form.starts().stream().map(Start::values).toList()));
     }
 
     /**
@@ -64,11 +76,9 @@ final class FurtherForm {
      */
     private List<Fitter.State> shorter(Fitter.State further) {
         Hypothesis found = further.candidate().last();
-        return all.stream()
+        return polished(all.stream()
                 .filter(form -> form.claim().equals(found.claim()) && form.free() < found.free() && form.keys().equals(found.keys()))
-                .flatMap(form -> refinement.polished(base.candidate(), form, numbers(further), further.frame(), List.of(values(further)))
-                        .stream())
-                .toList();
+                .map(form -> new Begun(further, form, List.of(values(further)))).toList());
     }
 
     private static int more(Fitter.State further, Fitter.State simpler) {

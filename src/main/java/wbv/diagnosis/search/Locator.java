@@ -1,15 +1,13 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
-import wbv.diagnosis.fit.BlindFit;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
-import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 
 /**
@@ -20,17 +18,9 @@ public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
     static final int FEWEST_OUTPUTS = 2 + 1;
-    /** How many times as far from the noise as the best a place may be that is fitted to the end: what it leaves is held against noise. */
-    private static final double NEAR = 3;
-    private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
-    private static final Comparator<Begun> WARMEST = Comparator.comparing(Begun::found, BEST);
-    private static final Comparator<Looked> LEAST = Comparator.comparing(Looked::found, BEST);
-    private static final Comparator<VariableProjection.Turn> COST = Comparator.comparingDouble(turn -> turn.fit().cost());
 
     private final Evidence evidence;
     private final Candidate baseline;
-    /** The same, held where a place that is ignored leaves nothing to tell its numbers. */
-    private final Candidate believed;
 
     /**
      * Among the places of this evidence.
@@ -40,7 +30,6 @@ public final class Locator {
     public Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
         this.baseline = baseline;
-        this.believed = baseline.surer(Priors.NUMBER_DEVIATION);
     }
 
     /**
@@ -61,10 +50,11 @@ public final class Locator {
      * Some places one by one, best first; none with a single output.
      *
      * @param places by their plain names
-     * @param x where fits start: coordinates [1], one a knob. Not modified.
+     * @param x where fits start, told as in {@link #singles}
      */
     public List<Known.Ignoring> among(List<Place> places, double[] x) {
-        return evidence.outputs().size() < 2 ? List.of() : found(places.stream().map(List::of).toList(), List.of(x, baseline.start()));
+        return evidence.outputs().size() < 2 ? List.of()
+                : PlaceHeats.sorted(places.stream().flatMap(place -> at(place, x).stream()).toList());
     }
 
     private List<Known.Ignoring> oneByOne(double[] x) {
@@ -72,12 +62,17 @@ public final class Locator {
         if (evidence.outputs().size() < 2) {
             return List.of();
         }
-        List<Known.Ignoring> plain = found(twins().firsts().stream().map(List::of).toList(), starts).stream().flatMap(this::alike).toList();
+        List<Known.Ignoring> plain = heats().found(twins().firsts().stream().map(List::of).toList(), starts).stream().flatMap(this::alike)
+                .toList();
         List<Known.Ignoring> renamed = Place.andDevices(evidence).stream().filter(place -> !place.equals(plain(place)))
                 .flatMap(place -> plain.stream().filter(found -> found.places().get(0).equals(plain(place)))
                         .map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced())))
                 .toList();
-        return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
+        return PlaceHeats.sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
+    }
+
+    private PlaceHeats heats() {
+        return new PlaceHeats(evidence, baseline);
     }
 
     private Twins twins() {
@@ -104,7 +99,7 @@ public final class Locator {
             }
         }
         List<Known.Ignoring> found = isBlindToTwo() ? asked.stream().map(pair -> left(singles, pair)).toList()
-                : found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
+                : heats().found(asked, singles.stream().limit(Effort.PLACES).map(Known.Ignoring::x).toList());
         return found.stream().flatMap(this::alike).toList();
     }
 
@@ -124,11 +119,27 @@ public final class Locator {
      * @param x where fits start, told as in {@link #singles}
      */
     double left(Place place, double[] x) {
-        return evidence.known().once(new One(new At(baseline, x), place), Double.class,
-                () -> found(List.of(List.of(place)), List.of(x, baseline.start())).get(0).reduced());
+        return at(place, x).orElseThrow().reduced();
     }
 
-    private record One(At at, Place place) {}
+    private Optional<Known.Ignoring> at(Place place, double[] x) {
+        Optional<Evidence> part = evidence.brief();
+        return new Locator(part.orElse(evidence), baseline).singles(x).stream().filter(found -> found.places().get(0).equals(place))
+                .findFirst()
+                .map(found -> part.isEmpty() ? found : PlaceHeats.seen(found.places(), beside(found)));
+    }
+
+    /**
+     * The fit beside a place.
+     *
+     * @param found where it starts: as a part of the data showed it, told as in {@link #singles}
+     */
+    VariableProjection.Turn beside(Known.Ignoring found) {
+        return evidence.known().once(new Beside(baseline, found), VariableProjection.Turn.class,
+                () -> new VariableProjection(evidence, found.places()).base(baseline, found.x()));
+    }
+
+    private record Beside(Candidate on, Known.Ignoring found) {}
 
     /**
      * The same as it was found among all places.
@@ -141,81 +152,6 @@ public final class Locator {
 
     private Place plain(Place place) {
         return place.plain(baseline.template());
-    }
-
-    /**
-     * Fits all a little, and the whole way those that are not hopeless then.
-     *
-     * @param all places that are ignored together
-     * @param starts of each of them
-     */
-    private List<Known.Ignoring> found(List<List<Place>> all, List<double[]> starts) {
-        Fitter fitter = new Fitter(evidence);
-        List<BlindFit> blind = Parallel.map(starts, x -> fitter.lookWithSlopes(believed, x, fitter.frame(believed, x, evidence.fit())))
-                .stream().filter(state -> !state.failed()).map(state -> new BlindFit(evidence, fitter.about(state), state)).toList();
-        if (blind.isEmpty()) {
-            return all.stream().map(places -> new Known.Ignoring(places, baseline.start(), Double.POSITIVE_INFINITY)).toList();
-        }
-        List<List<Begun>> heat = Parallel.map(all, places -> blind.stream()
-                .map(fit -> new Begun(fit.start(), fit.ignoring(places, Effort.FINAL_STEPS))).sorted(WARMEST).limit(Effort.SECONDS)
-                .toList());
-        List<Looked> looked = new ArrayList<>(
-                heat.stream().map(begun -> new Looked(begun, false, begun.get(0).found())).sorted(LEAST).toList());
-        for (int round = 0; round < Effort.SECONDS; round++) {
-            // What was begun is seen in the frame where it began: what is near so is fitted in its own.
-            double reach = reach(looked.stream().map(Looked::found).toList(), Effort.BEHIND);
-            List<Looked> first = looked.subList(0, Math.min(Effort.CONTENDERS, looked.size()));
-            List<Looked> near = Parallel.map(first, each -> each.isNear() || each.found().reduced() > reach ? each : near(each.begun()));
-            for (int i = 0; i < near.size(); i++) {
-                looked.set(i, near.get(i));
-            }
-            looked.sort(LEAST);
-        }
-        return again(looked.stream().map(Looked::found).toList());
-    }
-
-    /**
-     * Where the numbers as they were given lead, of which those that nothing tells stay; if less was promised, the best of where the
-     * warmest leads and of what begins anew: steps with another fit's derivatives may go astray.
-     */
-    private Looked near(List<Begun> begun) {
-        Known.Ignoring warmest = begun.get(0).found();
-        VariableProjection beside = new VariableProjection(evidence, warmest.places());
-        VariableProjection.Turn turn = beside.at(believed, believed.start()).on(Effort.ROUNDS);
-        if (turn.fit().reduced() > (1 + Effort.ROUGH) * warmest.reduced()) {
-            turn = Stream.concat(Stream.of(turn), Stream.concat(Stream.of(warmest.x()), begun.stream().map(Begun::start))
-                    .map(x -> beside.at(believed, x).on(1))).min(COST).orElseThrow().on(Effort.ROUNDS);
-        }
-        return new Looked(begun, true, found(warmest.places(), turn));
-    }
-
-    private static Known.Ignoring found(List<Place> places, VariableProjection.Turn turn) {
-        return new Known.Ignoring(places, turn.fit().x(), turn.fit().reduced());
-    }
-
-    /**
-     * A fit a little on.
-     *
-     * @param start where it began
-     */
-    private record Begun(double[] start, Known.Ignoring found) {}
-
-    /**
-     * What some places leave.
-     *
-     * @param isNear whether that is seen in its own frame
-     */
-    private record Looked(List<Begun> begun, boolean isNear, Known.Ignoring found) {}
-
-    /**
-     * More steps for those that leave little more than the best.
-     *
-     * @param found best first
-     */
-    private List<Known.Ignoring> again(List<Known.Ignoring> found) {
-        double reach = reach(found, NEAR);
-        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
-                : found(each.places(), new VariableProjection(evidence, each.places()).at(believed, each.x()).on(Effort.STEPS))));
     }
 
     /**
@@ -237,11 +173,5 @@ public final class Locator {
      */
     public static double scatter(Fitter.State base, double times) {
         return 1 + times * Priors.SCATTER * (base.reduced() - 1);
-    }
-
-    private static List<Known.Ignoring> sorted(List<Known.Ignoring> found) {
-        List<Known.Ignoring> out = new ArrayList<>(found);
-        out.sort(BEST);
-        return out;
     }
 }

@@ -12,7 +12,6 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
-import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
@@ -39,6 +38,7 @@ public final class PairSearch {
     private final Fitter.State base;
     private final List<Hypothesis> all;
     private final TwoPlaces places;
+    private final FirstMechanisms firsts;
 
     /**
      * Lists the hypotheses; nothing is simulated but the base.
@@ -51,6 +51,7 @@ public final class PairSearch {
         this.refinement = search.refinement();
         this.base = base;
         this.places = new TwoPlaces(evidence, search, base, progress);
+        this.firsts = new FirstMechanisms(evidence, refinement, base, places);
         this.all = evidence.library()
                 .hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
     }
@@ -71,21 +72,27 @@ public final class PairSearch {
         // Where nothing more than noise is left beside a place no pair of places leaves less; nor need one be asked for where all enters at
         // one, whatever mechanism that is.
         boolean one = !blind && (alone <= QUIET
-                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0)) && atTwo().isEmpty());
+                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0))
+                        && firsts.atTwo().isEmpty());
+        if (!one && !blind && firsts.leavesScatter(single)) {
+            return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> true));
+        }
         List<Known.Ignoring> pairs = one ? List.of() : places.pairs(looked);
         if (one || !blind && TwoPlaces.needless(own, alone, pairs)) {
             return beside(single);
         }
+        // No form that a law may have there makes up for what shows elsewhere: that there is a second needs no evidence of its own.
+        boolean two = !blind && alone > places.scatter();
         Set<Place> near = NearPairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
         Optional<Chosen> apart = places.pair(pairs, leaders)
-                .map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
+                .map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> near.contains(place(hypothesis)))));
         if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }
         double most = blind ? Double.POSITIVE_INFINITY : Math.min(single.reduced(), NearPairs.reach(pairs, base));
         List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, pairs, most)));
         apart.ifPresent(proposals::add);
-        return likeliest(single, proposals);
+        return likeliest(single, two ? proposals.stream().map(pair -> Chosen.single(pair.fit())).toList() : proposals);
     }
 
     /**
@@ -101,49 +108,23 @@ public final class PairSearch {
     }
 
     /**
-     * The first mechanisms by themselves, least first: the parts of a pair at two places where no one place will do, since then none that
-     * is sought by itself will.
+     * The first mechanisms by themselves, least first, see {@link FirstMechanisms}.
      *
      * @param sought those that are sought by themselves
      */
     public List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought) {
-        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
-            return sought.get();
-        }
-        Optional<List<Fitter.State>> first = places.mayBeOne() ? Optional.of(sought.get()) : Optional.empty();
-        return first.filter(found -> atAny() <= QUIET || found.stream().anyMatch(this::leavesLess)).or(this::parts).or(() -> first)
-                .orElseGet(sought);
+        return firsts.leaders(sought);
     }
 
     /** Whether two mechanisms at two places explain nearly all where no one place will do: nothing hides what else is missing then. */
     public boolean isEnough() {
-        return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
-                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair)).isPresent();
+        return firsts.isPair();
     }
 
-    /** Whether a fit leaves far less than whatever enters at any one place seems to. */
-    private boolean leavesLess(Fitter.State fit) {
-        return Effort.BEHIND * Refinement.excess(fit.reduced()) < atAny();
-    }
-
-    /** The parts by themselves, least first, of a pair at two places where no one place will do. */
-    private Optional<List<Fitter.State>> parts() {
-        return atTwo().map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList()));
-    }
-
-    /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
-    private Optional<Fitter.State> atTwo() {
-        Place first = places.likeliest();
-        TwoPlaces.Looked looked = places.looked(first);
-        double alone = Refinement.excess(Locator.left(looked.singles(), first));
-        List<Known.Ignoring> pairs = alone > QUIET ? places.pairs(looked) : List.of();
-        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty()
-                : places.pair(pairs, List.of()).filter(this::leavesLess);
-    }
-
-    /** What is left where whatever enters at any one place is ignored. */
-    private double atAny() {
-        return Refinement.excess(new Locator(evidence, base.candidate()).left(places.likeliest(), base.x()));
+    /** Whether more than noise is left elsewhere than where a mechanism acts, whatever that does there. */
+    public boolean showsElsewhere(Fitter.State single) {
+        return evidence.outputs().size() > 1
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(Place.ofLast(single), base.x())) > QUIET;
     }
 
     /** The likelier of a single mechanism and one with a second that was sought at some places alone. */
@@ -169,7 +150,7 @@ public final class PairSearch {
         }
         List<Hypothesis> parts = best.fit() == single ? List.of() : best.fit().candidate().added();
         Chosen pair = best;
-        return parts.stream().map(part -> Chosen.single(alone(part, pair.fit()))).filter(part -> !refinement.outweighs(pair, part))
+        return parts.stream().map(part -> Chosen.single(firsts.alone(part, pair.fit()))).filter(part -> !refinement.outweighs(pair, part))
                 .min(Comparator.comparingDouble(part -> part.fit().cost())).orElse(best);
     }
 
@@ -188,7 +169,7 @@ public final class PairSearch {
         }
         if (!out.isEmpty() && Refinement.excess(least(out).fit().reduced()) > QUIET) {
             // The first was chosen while the second was still missing: once more, the other way round.
-            Fitter.State second = alone(least(out).fit().candidate().last(), least(out).fit());
+            Fitter.State second = firsts.alone(least(out).fit().candidate().last(), least(out).fit());
             beside(second, partners.apply(second)).ifPresent(out::add);
         }
         return out;
@@ -231,11 +212,5 @@ public final class PairSearch {
         }
         hopeless.remove(own);
         return hypothesis -> !hopeless.contains(Place.plain(hypothesis, first.candidate()));
-    }
-
-    /** A fit of one hypothesis of a pair without the other. */
-    private Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
-        Candidate one = base.candidate().with(hypothesis);
-        return refinement.polish(one, PlacePairs.without(pair, hypothesis, one));
     }
 }

@@ -45,7 +45,7 @@ final class PlacePairs {
      * @param leaders single hypotheses fitted with nothing ignored
      */
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
-        double good = NearPairs.reach(places, base);
+        double good = Math.max(Locator.reach(places, Effort.BEHIND), Refinement.form(base));
         NearPairs near = NearPairs.of(evidence, base, places);
         List<Fitter.State> found = new ArrayList<>();
         Set<Set<Place>> tried = new HashSet<>();

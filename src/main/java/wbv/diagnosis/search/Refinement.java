@@ -77,6 +77,14 @@ public final class Refinement {
         return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
     }
 
+    /**
+     * What a formula that is right leaves at most of the mismatch of a base, being wrong by {@link Priors#FORM} of its force, as a mean
+     * square of the whitened residual.
+     */
+    public static double form(Fitter.State base) {
+        return 1 + Priors.FORM * Priors.FORM * (base.reduced() - 1);
+    }
+
     /** A trial fitted to its end, in the whitening of what it stands on. */
     Fitter.State finish(Fitter.State begun, Fitter.State base) {
         return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), Effort.FINAL_STEPS, Effort.ROUGH), 1);

@@ -103,8 +103,13 @@ final class TwoPlaces {
      * @param best as a part of the data may show it
      */
     boolean atOne(Known.Ignoring best) {
-        double most = Math.max(PairSearch.QUIET, Priors.FORM * Refinement.excess(base.reduced()));
+        double most = scatter();
         return Refinement.excess(best.reduced()) <= most
                 && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
+    }
+
+    /** Excess that a place leaves at most where all that is missing enters [1]. */
+    double scatter() {
+        return Refinement.excess(Locator.scatter(base, Effort.BEHIND));
     }
 }

@@ -1,6 +1,5 @@
 package wbv.diagnosis.search;
 
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -33,14 +32,8 @@ public final class Whereabouts {
      * Places where the mismatch may enter, likeliest first, as they were found.
      *
      * @param inPart whether a part of the data may show what all of them do, for all that is known
-     * @param whole  fits beside a place on all data, each made once
      */
-    private record Places(List<Known.Ignoring> found, boolean inPart, Map<Known.Ignoring, VariableProjection.Turn> whole) {
-
-        static Places of(List<Known.Ignoring> found, boolean inPart) {
-            return new Places(List.copyOf(found), inPart, new HashMap<>());
-        }
-    }
+    private record Places(List<Known.Ignoring> found, boolean inPart) {}
 
     private Whereabouts(Evidence evidence, Candidate baseline, Places places, Predicate<Hypothesis> likely) {
         this.evidence = evidence;
@@ -55,7 +48,7 @@ public final class Whereabouts {
      * @param baseline what may explain a part of the mismatch already
      */
     public static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
-        return new Whereabouts(evidence, baseline, Places.of(List.of(), true), hypothesis -> true);
+        return new Whereabouts(evidence, baseline, new Places(List.of(), true), hypothesis -> true);
     }
 
     /**
@@ -66,7 +59,7 @@ public final class Whereabouts {
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
         List<Known.Ignoring> found = places.keySet().stream()
                 .map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
-        return new Whereabouts(evidence, baseline, Places.of(found, true),
+        return new Whereabouts(evidence, baseline, new Places(found, true),
                 hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
@@ -81,9 +74,9 @@ public final class Whereabouts {
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
         return part.filter(brief -> shows(brief, base))
-                .map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(base.x()), true)))
+                .map(brief -> beside(evidence, baseline, new Places(new Locator(brief, baseline).singles(base.x()), true)))
                 .filter(Whereabouts::hold)
-                .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(base.x()), part.isEmpty())));
+                .orElseGet(() -> beside(evidence, baseline, new Places(new Locator(evidence, baseline).singles(base.x()), part.isEmpty())));
     }
 
     /**
@@ -114,7 +107,7 @@ public final class Whereabouts {
 
     /** The fit on all data beside a place. */
     private VariableProjection.Turn whole(Known.Ignoring place) {
-        return places.whole().computeIfAbsent(place, found -> new VariableProjection(evidence, found.places()).base(baseline, found.x()));
+        return new Locator(evidence, baseline).beside(place);
     }
 
     /**

@@ -1,0 +1,91 @@
+package wbv.diagnosis.search;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * What is compared by itself before any pair is: mechanisms that were sought by themselves, or, where whatever enters at one place does
+ * not explain what is missing, the parts of a pair at two places.
+ */
+final class FirstMechanisms {
+
+    private final Evidence evidence;
+    private final Refinement refinement;
+    private final Fitter.State base;
+    private final TwoPlaces places;
+
+    /** @param base the model without any mechanism, fitted */
+    FirstMechanisms(Evidence evidence, Refinement refinement, Fitter.State base, TwoPlaces places) {
+        this.evidence = evidence;
+        this.refinement = refinement;
+        this.base = base;
+        this.places = places;
+    }
+
+    /**
+     * The first mechanisms by themselves, least first: the parts of a pair at two places where no one place will do, since then none that
+     * is sought by itself will.
+     *
+     * @param sought those that are sought by themselves
+     */
+    List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought) {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return sought.get();
+        }
+        Optional<List<Fitter.State>> first = places.mayBeOne() ? Optional.of(sought.get()) : Optional.empty();
+        return first.filter(found -> atAny() <= PairSearch.QUIET || found.stream().anyMatch(fit -> leavesLess(fit) || leavesScatter(fit)))
+                .or(this::parts).or(() -> first).orElseGet(sought);
+    }
+
+    /** Whether two mechanisms at two places explain nearly all where no one place will do. */
+    boolean isPair() {
+        return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
+                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair)).isPresent();
+    }
+
+    /**
+     * Whether a fit leaves no more than what places leave scatters by: a second that is left shows beside it alone, not where places are
+     * ignored.
+     */
+    boolean leavesScatter(Fitter.State fit) {
+        return Refinement.excess(fit.reduced()) <= places.scatter();
+    }
+
+    /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
+    Optional<Fitter.State> atTwo() {
+        Place first = places.likeliest();
+        TwoPlaces.Looked looked = places.looked(first);
+        double alone = Refinement.excess(Locator.left(looked.singles(), first));
+        List<Known.Ignoring> pairs = alone > PairSearch.QUIET ? places.pairs(looked) : List.of();
+        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty()
+                : places.pair(pairs, List.of()).filter(this::leavesLess);
+    }
+
+    /** A fit of one hypothesis of a pair without the other. */
+    Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
+        Candidate one = base.candidate().with(hypothesis);
+        return refinement.polish(one, PlacePairs.without(pair, hypothesis, one));
+    }
+
+    /** Whether a fit leaves far less than whatever enters at any one place seems to. */
+    private boolean leavesLess(Fitter.State fit) {
+        return Effort.BEHIND * Refinement.excess(fit.reduced()) < atAny();
+    }
+
+    /** The parts by themselves, least first, of a pair at two places where no one place will do. */
+    private Optional<List<Fitter.State>> parts() {
+        return atTwo().map(pair -> Trial.sorted(pair.candidate().added().stream().map(part -> alone(part, pair)).toList()));
+    }
+
+    /** Excess [1] that is left where whatever enters at any one place is ignored. */
+    private double atAny() {
+        return Refinement.excess(new Locator(evidence, base.candidate()).left(places.likeliest(), base.x()));
+    }
+}
