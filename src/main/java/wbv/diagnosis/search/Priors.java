@@ -26,7 +26,7 @@ public final class Priors {
      * families of other formulas left a tenth at most, as did 95 of 101 right names.
      */
     public static final double FORM = 0.1;
-    /** Part of a mismatch from which on a mechanism explains nearly all of it: no second helps it, and no other law in its place [1]. */
+    /** Part of a mismatch from which on a mechanism explains nearly all of it, so that no other law in its place explains much more [1]. */
     public static final double NEARLY_ALL = 0.95;
     /** Part of a mismatch that what a push or two places leave scatters by: by the push's own level, by numbers that fit the noise [1]. */
     public static final double SCATTER = 0.012;

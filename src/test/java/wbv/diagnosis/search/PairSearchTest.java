@@ -1,6 +1,8 @@
 package wbv.diagnosis.search;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -17,6 +19,9 @@ import org.junit.jupiter.api.io.TempDir;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
@@ -73,6 +78,25 @@ class PairSearchTest {
     void ofPlacesThatLookAlikeTheOneIsTakenBesideWhichAMechanismShows() throws Exception {
         allIsNamed(folder, new ConcealedSpec("alike", List.of("coupling.rotation", "muscle.reflex"), 1, Setting.ROTATION, false,
                 8505340972418430530L));
+    }
+
+    /** However much of two the first explains, more than noise shows elsewhere; beside the only one nothing does, whatever its form. */
+    @Tag("slow")
+    @Test
+    void whatShowsElsewhereIsNotTheFirstsForm() throws Exception {
+        assertTrue(showsBesideFriction(List.of("friction.coulomb", "sensor.mount"), 3));
+        assertFalse(showsBesideFriction(List.of("friction.coulomb"), 2));
+    }
+
+    private boolean showsBesideFriction(List<String> words, long seed) throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("elsewhere", words, 1, Setting.RIG, false, seed));
+        Evidence evidence = new Evidence(
+                ModelFile.read(Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8)), made.recording());
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State base = search.base(Baseline.of(evidence));
+        String where = new ObjectMapper().readTree(made.key()).path("mechanisms").get(0).path("where").asText();
+        Fitter.State friction = search.best(base, h -> h.mechanism().equals(words.get(0)) && h.where().equals(where)).orElseThrow();
+        return new PairSearch(evidence, search, base, (step, share) -> {}).showsElsewhere(friction);
     }
 
     static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
