@@ -33,7 +33,7 @@ class ConstantsTest {
             "what sensors do and how recordings are put together",
             List.of("PlainFaults", "Question", "Rides", "LatentEstimator", "OddSensor"),
             "where fits start, how far they go, and what they tell apart of what they are made of",
-            List.of("Heats", "InputLevel", "Locator", "PartialledOut", "Refinement", "Search", "Sentences", "TermColumns", "Trial",
+            List.of("Heats", "InputLevel", "PartialledOut", "PlaceHeats", "Refinement", "Search", "Sentences", "TermColumns", "Trial",
                     "Yielding"),
             "the words of the grammar", List.of("Grammar", "Terms", "LinkScale"));
 

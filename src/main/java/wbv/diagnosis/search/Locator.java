@@ -50,7 +50,7 @@ public final class Locator {
      * Some places one by one, best first; none with a single output.
      *
      * @param places by their plain names
-     * @param x where fits start, told as in {@link #singles}
+     * @param x where fits start: coordinates [1], one a knob, told by being the same array: kept and not modified.
      */
     public List<Known.Ignoring> among(List<Place> places, double[] x) {
         return evidence.outputs().size() < 2 ? List.of()
