@@ -80,7 +80,10 @@ class PairSearchTest {
                 8505340972418430530L));
     }
 
-    /** However much of two the first explains, more than noise shows elsewhere; beside the only one nothing does but what a sitter does by himself. */
+    /**
+     * However much of two the first explains, more than noise shows elsewhere; beside the only one nothing does but what a sitter does by
+     * himself.
+     */
     @Tag("slow")
     @Test
     void whatShowsElsewhereIsNotTheFirstsForm() throws Exception {
