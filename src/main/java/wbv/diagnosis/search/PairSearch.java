@@ -123,8 +123,8 @@ public final class PairSearch {
 
     /** Whether more than noise is left elsewhere than where a mechanism acts, whatever that does there. */
     public boolean showsElsewhere(Fitter.State single) {
-        return evidence.outputs().size() > 1
-                && Refinement.excess(new Locator(evidence, base.candidate()).left(Place.ofLast(single), base.x())) > QUIET;
+        return new Locator(evidence, base.candidate()).among(List.of(Place.ofLast(single)), base.x()).stream()
+                .anyMatch(found -> Refinement.excess(found.reduced()) > QUIET);
     }
 
     /** The likelier of a single mechanism and one with a second that was sought at some places alone. */
