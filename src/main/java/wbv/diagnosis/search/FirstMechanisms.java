@@ -86,6 +86,6 @@ final class FirstMechanisms {
 
     /** Excess [1] that is left where whatever enters at any one place is ignored. */
     private double atAny() {
-        return Refinement.excess(new Locator(evidence, base.candidate()).left(places.likeliest(), base.x()));
+        return places.left(places.likeliest());
     }
 }

@@ -109,7 +109,7 @@ public final class Locator {
     }
 
     private static Known.Ignoring left(List<Known.Ignoring> singles, List<Place> pair) {
-        Known.Ignoring first = singles.stream().filter(found -> found.places().get(0).equals(pair.get(0))).findFirst().orElseThrow();
+        Known.Ignoring first = of(singles, pair.get(0)).orElseThrow();
         return new Known.Ignoring(pair, first.x(), first.reduced());
     }
 
@@ -124,8 +124,7 @@ public final class Locator {
 
     private Optional<Known.Ignoring> at(Place place, double[] x) {
         Optional<Evidence> part = evidence.brief();
-        return new Locator(part.orElse(evidence), baseline).singles(x).stream().filter(found -> found.places().get(0).equals(place))
-                .findFirst()
+        return of(new Locator(part.orElse(evidence), baseline).singles(x), place)
                 .map(found -> part.isEmpty() ? found : PlaceHeats.seen(found.places(), beside(found)));
     }
 
@@ -147,7 +146,12 @@ public final class Locator {
      * @param place by its plain name
      */
     static double left(List<Known.Ignoring> singles, Place place) {
-        return singles.stream().filter(found -> found.places().get(0).equals(place)).findFirst().orElseThrow().reduced();
+        return of(singles, place).orElseThrow().reduced();
+    }
+
+    /** What was found of a place by its plain name, if it was looked at. */
+    static Optional<Known.Ignoring> of(List<Known.Ignoring> singles, Place place) {
+        return singles.stream().filter(found -> found.places().get(0).equals(place)).findFirst();
     }
 
     private Place plain(Place place) {

@@ -103,8 +103,7 @@ public final class PushedLaws {
 
     private Known.Ignoring beside(int body) {
         Place plain = new Place(Place.Kind.BODY, body).plain(base.candidate().template());
-        return new Locator(evidence, base.candidate()).singles(base.x()).stream().filter(found -> found.places().get(0).equals(plain))
-                .findFirst().orElseThrow();
+        return Locator.of(new Locator(evidence, base.candidate()).singles(base.x()), plain).orElseThrow();
     }
 
     private Stream<Supplier<Begun>> starts(int body, List<Hypothesis> laws) {

@@ -105,7 +105,12 @@ final class TwoPlaces {
     boolean atOne(Known.Ignoring best) {
         double most = scatter();
         return Refinement.excess(best.reduced()) <= most
-                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= most;
+                && left(best.places().get(0)) <= most;
+    }
+
+    /** Excess [1] that all data show while a place is ignored. */
+    double left(Place place) {
+        return Refinement.excess(new Locator(evidence, base.candidate()).left(place, base.x()));
     }
 
     /** Excess that a place leaves at most where all that is missing enters [1]. */
