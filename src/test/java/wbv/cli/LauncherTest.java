@@ -56,6 +56,7 @@ class LauncherTest {
     /** The folder of the Java that is to be started. */
     private Path java;
     private Optional<Path> javaHome = Optional.empty();
+    private String options = "";
 
     @BeforeEach
     void install() throws IOException {
@@ -90,7 +91,8 @@ class LauncherTest {
         line.addAll(List.of(words));
         ProcessBuilder builder = new ProcessBuilder(line).redirectErrorStream(true);
         builder.environment().put("PATH", path + File.pathSeparator + System.getenv("PATH"));
-        builder.environment().remove("WBV_JAVA_OPTS");
+        builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS"));
+        builder.environment().put("WBV_JAVA_OPTS", options);
         builder.environment().remove("JAVA_HOME");
         javaHome.ifPresent(home -> builder.environment().put("JAVA_HOME", home.toString()));
         Process launcher = builder.start();
@@ -168,6 +170,17 @@ class LauncherTest {
 
     private static String last(List<String> asked) {
         return asked.get(asked.size() - 1);
+    }
+
+    /** A diagnosis lets the heap grow only where it must, and leaves the choice of a collector to whoever makes one. */
+    @Test
+    void diagnosisIsCollectedInParallelUnlessAnotherIsAskedFor() throws Exception {
+        start();
+        assertTrue(start("warning\n", "diagnose", "ride.csv").get(0).contains("-XX:+UseParallelGC -XX:GCTimeRatio"));
+        assertFalse(start("warning\n", "analyze", "ride.csv").get(0).contains("ParallelGC"));
+        options = "-XX:+UseG1GC";
+        String asked = start("warning\n", "diagnose", "ride.csv").get(0);
+        assertTrue(asked.contains("-XX:+UseG1GC") && !asked.contains("ParallelGC"), asked);
     }
 
     @Test
