@@ -12,11 +12,9 @@ import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Parallel;
-import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.search.Priors;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.signal.LostSamples;
 import wbv.signal.ScalarProduct;
 
 /** A model beside a part of a recording, as it is read and as conventions have it, each with the numbers that suit it best. */
@@ -28,22 +26,23 @@ final class Agreement {
     private static final int FITTED = 8;
     /** Those beside which a second is asked for. */
     private static final int FIRSTS = 2;
-    /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
-    private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
-
     /** Part of an output that is left of which the model tells nothing: what is narrow in frequency chance explains some of. */
     private static final double UNEXPLAINED = 0.5;
+    /** Part of what is left as it is read that is left at most as it is meant. */
+    private static final double NEXT_TO_NOTHING = 1 - Priors.NEARLY_ALL;
 
     private final Model model;
     private final Stretch stretch;
     private final Case asRead;
     private final Optional<Weighed> given;
+    private final Incoherence incoherence;
 
     Agreement(Model model, Recording part) {
         this.model = model;
         this.stretch = new Stretch(present(model, part));
         this.asRead = new Case(Optional.empty(), model, part, runs(model, part), spectra(part), List.of());
         this.given = weighed(asRead);
+        this.incoherence = new Incoherence(model, part);
     }
 
     /**
@@ -187,18 +186,28 @@ final class Agreement {
     }
 
     private List<Glimpse> glimpses(Case first, List<Convention> seconds) {
-        return Parallel.map(seconds, next -> {
+        return Parallel.map(seconds.stream().filter(next -> mayExplain(first, next)).toList(), next -> {
             Case both = read(first, next);
             return new Glimpse(first, next, fit(both).glimpse(starts(both)) + size(both));
         });
+    }
+
+    /** Whether any linear model could leave next to nothing of what a convention touches on top of a case. */
+    private boolean mayExplain(Case first, Convention next) {
+        Convention whole = whole(first, next);
+        return given.filter(before -> incoherence.least(whole, touched(whole)) < NEXT_TO_NOTHING * left(before, whole)).isPresent();
+    }
+
+    private static Convention whole(Case first, Convention next) {
+        return first.convention().<Convention>map(one -> new Both(one, next)).orElse(next);
     }
 
     private Case read(Case of, Convention convention) {
         Recording read = convention.read(of.part());
         Model meant = convention.read(of.model());
         boolean runsAnew = !meant.equals(of.model()) || model.excitations().stream().anyMatch(convention.touched()::contains);
-        Convention whole = of.convention().<Convention>map(first -> new Convention.Both(first, convention)).orElse(convention);
-        return new Case(Optional.of(whole), meant, read, runsAnew ? runs(meant, read) : of.runs(), spectra(read), of.begun());
+        ModelRuns there = runsAnew ? runs(meant, read) : of.runs();
+        return new Case(Optional.of(whole(of, convention)), meant, read, there, spectra(read), of.begun());
     }
 
     private Optional<Weighed> weighed(Case of) {
@@ -207,10 +216,7 @@ final class Agreement {
 
     /** Where fits begin: at what was given, and where what is right already has led the numbers. */
     private List<double[]> starts(Case of) {
-        List<double[]> starts = new ArrayList<>(List.of(of.runs().shifted(0, 0)));
-        for (double[] shift : model.isRig() && !model.driven() ? SHIFTS : new double[0][]) {
-            starts.add(of.runs().shifted(shift[0], shift[1]));
-        }
+        List<double[]> starts = new ArrayList<>(of.runs().starts());
         starts.addAll(of.begun());
         return starts;
     }
@@ -218,13 +224,7 @@ final class Agreement {
     /** By how much less usual sizes are as a convention has them [nat]. */
     private double size(Case of) {
         return of.convention().map(convention -> UsualSize.cost(of.model()) - UsualSize.cost(model) + convention.touched().stream()
-                .mapToDouble(channel -> UsualSize.cost(channel.quantity(), rms(of.part().values(channel)))
-                        - UsualSize.cost(channel.quantity(), rms(asRead.part().values(channel))))
-                .sum()).orElse(0.0);
-    }
-
-    private static double rms(double[] x) {
-        return Math.sqrt(Arrays.stream(LostSamples.centred(x)).map(value -> value * value).average().orElseThrow());
+                .mapToDouble(channel -> UsualSize.cost(of.part(), channel) - UsualSize.cost(asRead.part(), channel)).sum()).orElse(0.0);
     }
 
     /** Outputs that a convention touches: all of them where it changes what moves them. */
@@ -244,6 +244,6 @@ final class Agreement {
 
     /** Whether a fit leaves next to nothing of what a convention touches. */
     private boolean explains(Weighed before, Weighed after, Convention of) {
-        return left(after, of) < (1 - Priors.NEARLY_ALL) * left(before, of);
+        return left(after, of) < NEXT_TO_NOTHING * left(before, of);
     }
 }

@@ -15,7 +15,7 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /** One way in which a recording or a model may be meant otherwise than it is read. */
-public sealed interface Convention {
+public sealed interface Convention permits Convention.Misread, Convention.Exchanged, Convention.InUnits, Both {
 
     /** The recording as it is meant. */
     Recording read(Recording recording);
@@ -25,6 +25,11 @@ public sealed interface Convention {
 
     /** Channels whose values change. */
     Set<Channel> touched();
+
+    /** The channel whose recorded values a channel has as it is meant, but for a factor. */
+    default Channel source(Channel channel) {
+        return channel;
+    }
 
     /** Whether it changes numbers of the model. */
     default boolean ofNumbers() {
@@ -122,6 +127,11 @@ public sealed interface Convention {
         }
 
         @Override
+        public Channel source(Channel channel) {
+            return channel.equals(one) ? other : channel.equals(other) ? one : channel;
+        }
+
+        @Override
         public String amiss() {
             return one + " and " + other + " have each other's name";
         }
@@ -191,50 +201,6 @@ public sealed interface Convention {
         @Override
         public String remedy() {
             return "give the model's " + what + " in the units that its keys say";
-        }
-    }
-
-    /** Two at once that have to do with different things, in whichever order they are read. */
-    record Both(Convention one, Convention other) implements Convention {
-        public Both {
-            if (!one.goesWith(other)) {
-                throw new IllegalArgumentException("each has to do with something else: " + one + " and " + other);
-            }
-        }
-
-        @Override
-        public Recording read(Recording recording) {
-            return other.read(one.read(recording));
-        }
-
-        @Override
-        public Model read(Model model) {
-            return other.read(one.read(model));
-        }
-
-        @Override
-        public Set<Channel> touched() {
-            return Stream.concat(one.touched().stream(), other.touched().stream()).collect(Collectors.toUnmodifiableSet());
-        }
-
-        @Override
-        public boolean ofNumbers() {
-            return one.ofNumbers() || other.ofNumbers();
-        }
-
-        @Override
-        public String amiss() {
-            return one.amiss() + " and " + other.amiss();
-        }
-
-        @Override
-        public String done() {
-            return "both were read as they are meant";
-        }
-
-        @Override
-        public String remedy() {
-            return one.remedy() + ", and " + other.remedy();
         }
     }
 

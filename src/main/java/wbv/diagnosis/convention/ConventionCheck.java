@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Model;
-import wbv.diagnosis.measured.Measured;
 import wbv.diagnosis.measured.SitterRate;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;

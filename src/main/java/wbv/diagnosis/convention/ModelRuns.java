@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.body.Structure;
@@ -21,12 +22,16 @@ final class ModelRuns {
     /** How well masses of a person are known [1]; those of a bench are as its stiffnesses. */
     private static final double SEGMENT = 0.15;
 
+    /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
+    private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
+
     private final Assembly assembly;
     private final Excitation excitation;
     private final Stretch stretch;
     /** Of the structure's values, those that are free. */
     private final int[] free;
     private final double[] deviation;
+    private final List<double[]> starts;
     /** Where fits begin, by coordinates: several fits begin at each. */
     private final Map<List<Double>, Optional<Run>> begun = new ConcurrentHashMap<>();
 
@@ -40,6 +45,8 @@ final class ModelRuns {
         free = IntStream.range(0, values.length).filter(i -> values[i] > 0 && (i < masses || structure.sharing(i - masses).length > 0))
                 .filter(i -> i < masses || !structure.held()).toArray();
         deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? Priors.NUMBER_DEVIATION : SEGMENT).toArray();
+        starts = Stream.concat(Stream.of(shifted(0, 0)), Arrays.stream(model.isRig() && !model.driven() ? SHIFTS : new double[0][])
+                .map(shift -> shifted(shift[0], shift[1]))).toList();
     }
 
     /**
@@ -56,8 +63,13 @@ final class ModelRuns {
         return deviation;
     }
 
+    /** Where fits begin: at what was given, and beside it. Not a copy. */
+    List<double[]> starts() {
+        return starts;
+    }
+
     /** Which of the numbers are dampings, and which stiffnesses: coordinates of a start with more or less of them. */
-    double[] shifted(double stiffness, double damping) {
+    private double[] shifted(double stiffness, double damping) {
         int links = assembly.structure().links();
         return Arrays.stream(free).mapToDouble(i -> i < links ? stiffness : i < 2 * links ? damping : 0).toArray();
     }

@@ -1,7 +1,11 @@
 package wbv.diagnosis.convention;
 
+import java.util.Arrays;
 import wbv.body.Model;
+import wbv.recording.Channel;
 import wbv.recording.Quantity;
+import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /**
  * How large what is measured and modelled usually is: log-normal, so broad that it decides only between conventions of which all else is
@@ -25,8 +29,14 @@ record UsualSize(double usual, double deviation) {
         }
     }
 
+    /** That of what a channel of a recording carries, by its root mean square. */
+    static double cost(Recording recording, Channel channel) {
+        double[] read = LostSamples.centred(recording.values(channel));
+        return cost(channel.quantity(), Math.sqrt(Arrays.stream(read).map(value -> value * value).average().orElseThrow()));
+    }
+
     /** Root mean square of what moves where vibration is measured, assumed; 0 where nothing is usual. */
-    static double cost(Quantity quantity, double rms) {
+    private static double cost(Quantity quantity, double rms) {
         return switch (quantity) {
             case ACCELERATION, SPECIFIC_FORCE -> new UsualSize(1, DECADE).cost(rms);
             case VELOCITY -> new UsualSize(0.05, DECADE).cost(rms);

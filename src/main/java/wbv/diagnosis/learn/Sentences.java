@@ -18,8 +18,8 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Combination;
 import wbv.diagnosis.search.Effort;
-import wbv.diagnosis.search.PartialledOut;
 import wbv.diagnosis.search.Screening;
 
 /**
@@ -86,9 +86,10 @@ final class Sentences {
             List<TermColumns.Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen));
             while (chosen.size() < most) {
+                Combination known = TermColumns.combined(chosen);
                 TermColumns.Column found = all.stream()
-                        .filter(column -> chosen.stream().noneMatch(known -> known.term() == column.term()))
-                        .max(Comparator.comparingDouble(column -> columns.gain(with(chosen, column)))).orElse(first);
+                        .filter(column -> chosen.stream().noneMatch(other -> other.term() == column.term()))
+                        .max(Comparator.comparingDouble(column -> TermColumns.with(known, column).gain())).orElse(first);
                 if (found == first) {
                     break;
                 }
@@ -106,16 +107,10 @@ final class Sentences {
         return List.copyOf(likely);
     }
 
-    private static List<TermColumns.Column> with(List<TermColumns.Column> chosen, TermColumns.Column more) {
-        List<TermColumns.Column> out = new ArrayList<>(chosen);
-        out.add(more);
-        return out;
-    }
-
     private Proposal proposal(List<TermColumns.Column> chosen) {
-        List<PartialledOut.Rest> rests = columns.rests(chosen);
-        double[] strength = new double[rests.size()];
-        double gain = PartialledOut.combined(rests, strength);
+        Combination combination = TermColumns.combined(chosen);
+        double[] strength = combination.strengths();
+        double gain = combination.gain();
         List<double[]> values = new ArrayList<>();
         int next = TermColumns.LINEAR;
         for (TermColumns.Column column : chosen) {

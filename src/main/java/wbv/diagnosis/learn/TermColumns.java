@@ -14,6 +14,7 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
+import wbv.diagnosis.search.Combination;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.PartialledOut;
 import wbv.diagnosis.search.Screening;
@@ -32,7 +33,7 @@ final class TermColumns {
 
     private final Screening screening;
     private final Candidate on;
-    private final List<PartialledOut.Rest> linear;
+    private final Combination linear;
 
     /**
      * Of a link.
@@ -43,20 +44,20 @@ final class TermColumns {
     TermColumns(Screening screening, Candidate on, Motion motion, int link) {
         this.screening = screening;
         this.on = on;
-        this.linear = screening.left()
-                .of(List.of(screening.direction(link, motion.displacement(link)), screening.direction(link, motion.velocity(link))));
+        this.linear = Combination.of(screening.left()
+                .of(List.of(screening.direction(link, motion.displacement(link)), screening.direction(link, motion.velocity(link)))));
     }
 
     /**
      * A term at a start.
      *
-     * @param columns what its amplitudes do
-     * @param gain    of it alone, beside the link's own stiffness and damping [1]
+     * @param beside what its amplitudes do, after the link's own stiffness and damping
+     * @param gain   of it alone, beside these [1]
      */
-    record Column(Hypothesis term, Start start, List<PartialledOut.Rest> columns, double gain) {
+    record Column(Hypothesis term, Start start, Combination beside, double gain) {
 
         int numbers() {
-            return columns.stream().mapToInt(column -> column.direction().length).sum();
+            return beside.numbersAfter(LINEAR);
         }
     }
 
@@ -103,7 +104,7 @@ final class TermColumns {
     private Optional<Column> column(Hypothesis term, Start start, Iterator<PartialledOut.Rest> next) {
         List<PartialledOut.Rest> rests = start.columns().stream().map(column -> next.next()).toList();
         return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
-                : Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
+                : Optional.of(linear.with(Combination.of(rests), 0)).map(all -> new Column(term, start, all, all.gain() - linear.gain()));
     }
 
     private Optional<Column> column(Hypothesis term, Start start) {
@@ -148,16 +149,17 @@ final class TermColumns {
         return values;
     }
 
-    /** Of the best combination of them, beside the link's own stiffness and damping [1]. */
-    double gain(List<Column> chosen) {
-        List<PartialledOut.Rest> rests = rests(chosen);
-        return PartialledOut.combined(rests, new double[rests.size()]);
+    /** What the amplitudes of some terms do, at least one, after the link's own stiffness and damping. */
+    static Combination combined(List<Column> chosen) {
+        Combination all = chosen.get(0).beside();
+        for (Column more : chosen.subList(1, chosen.size())) {
+            all = with(all, more);
+        }
+        return all;
     }
 
-    /** What is left of the link's own stiffness and damping, and then of their amplitudes. */
-    List<PartialledOut.Rest> rests(List<Column> chosen) {
-        List<PartialledOut.Rest> out = new ArrayList<>(linear);
-        chosen.forEach(column -> out.addAll(column.columns()));
-        return out;
+    /** A combination that begins with the link's own stiffness and damping, with what a term's amplitudes do after it. */
+    static Combination with(Combination chosen, Column more) {
+        return chosen.with(more.beside(), LINEAR);
     }
 }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.diagnosis.algebra.Columns;
-import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
@@ -102,30 +101,5 @@ public final class PartialledOut {
         public boolean isOld() {
             return !(square() > LEAST_NEW * ScalarProduct.of(direction, direction));
         }
-    }
-
-    /**
-     * Gain [1] of the best combination of directions that are known.
-     *
-     * @param strength by direction [1]. Modified.
-     */
-    public static double combined(List<Rest> rests, double[] strength) {
-        int m = rests.size();
-        double[][] a = new double[m][m];
-        double[] g = new double[m];
-        for (int i = 0; i < m; i++) {
-            for (int j = 0; j <= i; j++) {
-                a[i][j] = rests.get(i).product(rests.get(j));
-                a[j][i] = a[i][j];
-            }
-            g[i] = rests.get(i).gradient();
-        }
-        double[] s = DampedEquations.solve(a, g);
-        double gain = 0;
-        for (int i = 0; i < m; i++) {
-            strength[i] = -s[i];
-            gain += s[i] * g[i];
-        }
-        return Double.isFinite(gain) ? gain : 0;
     }
 }

@@ -116,8 +116,11 @@ public final class Screening {
         } else {
             directions.add(direction(hypothesis, with, start.values()));
         }
-        double[] strength = new double[directions.size()];
-        double gain = project(directions, strength);
+        List<PartialledOut.Rest> rests = left.of(directions);
+        Optional<Combination> combination = rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
+                : Optional.of(Combination.of(rests));
+        double gain = combination.map(Combination::gain).orElse(0.0);
+        double[] strength = combination.map(Combination::strengths).orElseGet(() -> new double[rests.size()]);
         double[] values = sized(hypothesis, start, strength);
         boolean impossible = !amplitude && strength[0] < 0;
         for (int c = 0; c < start.columns().size(); c++) {
@@ -215,11 +218,5 @@ public final class Screening {
     /** What may follow is partialled out of directions by this. */
     public PartialledOut left() {
         return left;
-    }
-
-    /** Gain of the best combination of directions, whose strengths are filled in. */
-    private double project(List<double[]> directions, double[] strength) {
-        List<PartialledOut.Rest> rests = left.of(directions);
-        return rests.stream().anyMatch(PartialledOut.Rest::isOld) ? 0 : PartialledOut.combined(rests, strength);
     }
 }
