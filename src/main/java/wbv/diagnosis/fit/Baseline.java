@@ -2,6 +2,7 @@ package wbv.diagnosis.fit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Model;
@@ -13,7 +14,8 @@ import wbv.body.Structure;
  * The user's model with the numbers that may be wrong without any physics missing: stiffness, damping and masses.
  *
  * <p>The heaviest mass is held: accelerations know masses, stiffness and damping only up to a common factor. Where forces are
- * measured all masses move; on a rig the sensors' offsets do too, and how much of a given simulation's force acts.
+ * measured all masses move; on a rig the sensors' offsets do too, that of a force on what no spring holds, and how much of a given
+ * simulation's force acts.
  */
 public final class Baseline {
 
@@ -106,11 +108,15 @@ public final class Baseline {
             }
             addMass(knobs, model, b, FARTHEST, SPRING);
         }
+        boolean[] unheld = assembly.structure().unheld();
+        // Where springs hold all bodies a force's offset moves where they rest, which sensors that are off tell nothing of. Begun from rest
+        // it makes a start that nobody saw, which passes for a part of what is missing.
+        boolean seen = IntStream.range(0, unheld.length).anyMatch(body -> unheld[body]);
         for (int d = 0; d < assembly.drives().size(); d++) {
             if (assembly.drives().get(d).drive() instanceof Drive.Given given) {
                 knobs.add(Knob.sum(given.channel() + " share", new Slot(Slot.Kind.DRIVE, d, 0, 0), given.share(), 1, -1, 3,
                         Double.POSITIVE_INFINITY));
-            } else if (assembly.drives().get(d).drive() instanceof Drive.Measured force) {
+            } else if (seen && assembly.drives().get(d).drive() instanceof Drive.Measured force) {
                 double size = Motion.rms(evidence.series(force.channel()), evidence.fit().length());
                 knobs.add(Knob.sum(force.channel() + " offset_N", new Slot(Slot.Kind.DRIVE, d, 0, 0), force.offset(),
                         0.3 * Math.max(size, 1e-12),
@@ -118,7 +124,6 @@ public final class Baseline {
             }
         }
         List<Assembly.DriveAt> drives = new ArrayList<>(assembly.drives());
-        boolean[] unheld = assembly.structure().unheld();
         for (int b = 0; b < unheld.length && !model.driven(); b++) {
             if (unheld[b]) {   // it may well have been moving when the recording began
                 double speed = Math.max(speed(evidence), 1e-12);

@@ -2,10 +2,12 @@ package wbv.diagnosis.mechanism;
 
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Start.fixed;
 import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import wbv.body.law.Settling;
 import wbv.body.law.SlowDrift;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
@@ -71,6 +73,20 @@ record GradualChange() implements Mechanism {
         return hypothesis.form().equals(DASHPOT)
                 ? List.of(Told.scaled("damping_change", 2, NONE), Told.plain(hypothesis.numbers().get(1).key(), 1))
                 : told(hypothesis.numbers());
+    }
+
+    /** One that settles begins as the parabola does: c (1 - e^(-t/τ)) is c t/τ - c t²/(2 τ²) and what is of higher order. */
+    @Override
+    public Optional<Hypothesis> begunAt(Hypothesis form, double[] found) {
+        double time = -found[0] / (2 * found[1]);
+        return Optional.of(form).filter(settling -> settling.form().equals(SETTLING) && time > 0 && Double.isFinite(time))
+                .map(settling -> new Hypothesis(this, settling.where(), SETTLING, settling.additions(), settling.numbers(),
+                        List.of(fixed(within(settling, 0, found[0] * time), within(settling, 1, HUNDRED * time), found[2]))));
+    }
+
+    private static double within(Hypothesis hypothesis, int number, double value) {
+        Number bounds = hypothesis.numbers().get(number);
+        return Math.max(bounds.low(), Math.min(bounds.high(), value));
     }
 
     /** A form that goes nowhere beyond the data, where the other may run away. */

@@ -55,7 +55,7 @@ final class Heats {
             goOn(base, heat);
         }
         int finalists = near(heat, second ? Effort.FINALISTS / 2 : Effort.FINALISTS);
-        finalists += promised(heat, finalists, chosen) ? 1 : 0;
+        finalists = withPromising(heat, finalists, Screening.alike(base, chosen));
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
         all.addAll(Parallel.map(rest(heat, finalists), trial -> trial.on(whole)));
@@ -63,20 +63,20 @@ final class Heats {
     }
 
     /**
-     * Whether what promised most to first order is not among the finalists: a drift has farther to go than a step at the best of sixty
-     * moments, and after as many steps stands behind that.
+     * How many are finalists with those that promised to first order about as much as the first, wherever they stand: a drift has farther
+     * to go than a step at the best of sixty moments, and after as many steps stands behind that.
      *
-     * @param heat least cost first; on return it follows them there
-     * @param chosen that which promised most first
+     * @param heat least cost first; on return they follow the finalists there
      */
-    private static boolean promised(List<Trial> heat, int finalists, List<Screening.Score> chosen) {
+    private static int withPromising(List<Trial> heat, int finalists, List<Screening.Score> promising) {
+        int all = finalists;
         for (int i = finalists; i < heat.size(); i++) {
-            if (heat.get(i).first().candidate().last().equals(chosen.get(0).hypothesis())) {
-                heat.add(finalists, heat.remove(i));
-                return true;
+            Hypothesis own = heat.get(i).first().candidate().last();
+            if (promising.stream().anyMatch(score -> score.hypothesis().equals(own))) {
+                heat.add(all++, heat.remove(i));
             }
         }
-        return false;
+        return all;
     }
 
     /** Numbers of the model to start from: as fitted, or where these are bent as they fit beside whatever enters there. */

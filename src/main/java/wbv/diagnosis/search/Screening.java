@@ -57,6 +57,21 @@ public final class Screening {
     }
 
     /**
+     * Those that promise to leave about as little as the first does.
+     *
+     * @param base on top of which they stand
+     * @param scores greatest first
+     */
+    static List<Score> alike(Fitter.State base, List<Score> scores) {
+        return scores.stream().filter(score -> promised(base, score) <= Effort.ALIKE * promised(base, scores.get(0))).toList();
+    }
+
+    /** Excess [1] that a hypothesis promises to leave. */
+    private static double promised(Fitter.State base, Score score) {
+        return Refinement.excess((base.square() - score.gain()) / base.frame().whitening().degrees());
+    }
+
+    /**
      * Screens at a fit, modulators worked out where they are needed.
      *
      * @param state a fit with slopes
