@@ -90,13 +90,14 @@ final class Naming {
 
     /**
      * Whether data not used for the fit are explained about as well, where they show something: a wrong law with enough freedom follows
-     * only what it has seen.
+     * only what it has seen. What leaves no more than noise there, be it as loud as it may, explains all that they show.
      */
     private boolean carriesOver() {
         double floor = grounds.evidence().floor();
         double before = grounds.heldBefore();
         double explained = (base.reduced() - best.reduced()) / (base.reduced() - floor);
-        return before < Priors.STRANGE * floor || (before - grounds.heldAfter()) / (before - floor) > (1 - Priors.UNLISTED) * explained;
+        return before < Priors.STRANGE * floor || grounds.heldAfter() <= 1
+                || (before - grounds.heldAfter()) / (before - floor) > (1 - Priors.UNLISTED) * explained;
     }
 
     /** @param most how sure a name may be */

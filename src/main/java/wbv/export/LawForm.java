@@ -239,6 +239,10 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
                     share = max(0, min(1, (t - time_s) / h + 0.5))
                     force = share * ((stiffness_factor - 1) * k * r + (damping_factor - 1) * c * v)
                     """),
+            Map.entry("Gradual", """
+                    share = max(0, min(1, (t - time_s) / duration_s + 0.5))
+                    force = share * ((stiffness_factor - 1) * k * r + (damping_factor - 1) * c * v)
+                    """),
             Map.entry("ScheduledLink", """
                     g = max(-0.97, modulation * (linear_change + modulation * (square_change + modulation * (cube_change \
                     + modulation * fourth_change))))

@@ -12,7 +12,7 @@ public sealed interface Law permits
         Saturation, CubicSpring, ProgressiveSpring, GasSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, Slider, JenkinsElement, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
-        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {
+        StepChange, StepChange.Gradual, SlowDrift, Settling, MaxwellArm, Reflex, MuscleReflex, ScheduledLink, ScheduledFriction, Learned {
 
     /**
      * A spring that stiffens.

@@ -1,10 +1,17 @@
 package wbv.diagnosis.mechanism;
 
+import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Start.fixed;
+import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
 import wbv.body.law.StepChange;
+import wbv.diagnosis.mechanism.Hypothesis.Number;
 
 /**
  * Stiffness and damping that change at a moment. Times go by the link's own period and by the record: what takes a sitter a second takes a
@@ -26,6 +33,10 @@ record AbruptChange() implements Mechanism {
     /** Periods in which what changes has changed (assumed) [1], and the most of the record that they may be. */
     private static final double CHANGING = 5;
     private static final double MOST_CHANGING = 0.025;
+    /** How long a change may take, and from where that is found, in times of this: half a period to as many as a slow drift takes [1]. */
+    private static final double SHORTEST = 0.1;
+    private static final double LONGEST = 12;
+    private static final double[] LONG = {1, 4};
     /** Part by which spring and dashpot change, either for itself, as it is looked at to first order. */
     private static final double SIZE = 0.1;
 
@@ -48,6 +59,25 @@ record AbruptChange() implements Mechanism {
         return List.of(Hypothesis.law(this, link, "", new StepChange(end / 2, 1.1, 1.1),
                 List.of(sum(changing, NEARER * before, end - NEAREST * before), sum(0.1, 0.05, 6).about(1), sum(0.1, 0.05, 6).about(1)),
                 moments));
+    }
+
+    /** One that takes some time: less than a slow drift does, which has no moment. */
+    @Override
+    public Optional<Hypothesis> further(Hypothesis plain, double[] found) {
+        Number moment = plain.numbers().get(0);
+        return Optional.of(plain.additions().get(0)).filter(Addition.InLink.class::isInstance).map(Addition.InLink.class::cast)
+                .filter(in -> in.law() instanceof StepChange)
+                .map(in -> new Hypothesis(this, plain.where(), "gradual",
+                        List.of(new Addition.InLink(in.link(),
+                                new StepChange.Gradual(found[0], found[1], found[2], LONG[0] * moment.unit()))),
+                        Stream.concat(plain.numbers().stream(),
+                                Stream.of(factor(SHORTEST * moment.unit(), LONGEST * moment.unit()).named("duration_s"))).toList(),
+                        grid(LONG, part -> fixed(found[0], found[1], found[2], part * moment.unit()))));
+    }
+
+    @Override
+    public String sentence(Set<String> keys) {
+        return keys.contains("duration_s") ? "The link %s changed within a short time" : entry().sentence();
     }
 
     @Override

@@ -44,8 +44,8 @@ public sealed interface Addition {
     }
 
     private static boolean byTheClock(Law law) {
-        return law instanceof Learned learned && learned.byTheClock() || law instanceof StepChange || law instanceof SlowDrift
-                || law instanceof Settling;
+        return law instanceof Learned learned && learned.byTheClock() || law instanceof StepChange || law instanceof StepChange.Gradual
+                || law instanceof SlowDrift || law instanceof Settling;
     }
 
     private static boolean byTheClock(SensorFault fault) {

@@ -8,6 +8,7 @@ import static wbv.diagnosis.mechanism.Start.grid;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import wbv.body.law.Settling;
 import wbv.body.law.SlowDrift;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
@@ -79,9 +80,12 @@ record GradualChange() implements Mechanism {
     @Override
     public Optional<Hypothesis> begunAt(Hypothesis form, double[] found) {
         double time = -found[0] / (2 * found[1]);
-        return Optional.of(form).filter(settling -> settling.form().equals(SETTLING) && time > 0 && Double.isFinite(time))
-                .map(settling -> new Hypothesis(this, settling.where(), SETTLING, settling.additions(), settling.numbers(),
-                        List.of(fixed(within(settling, 0, found[0] * time), within(settling, 1, HUNDRED * time), found[2]))));
+        double change = found[0] * time;
+        double[] start = form.form().equals(DASHPOT) ? new double[] {NONE, HUNDRED * time, found[2] * change / NONE}
+                : new double[] {change, HUNDRED * time, found[2]};
+        return Optional.of(form).filter(settling -> !settling.form().isEmpty() && time > 0 && Double.isFinite(time))
+                .map(settling -> new Hypothesis(this, settling.where(), settling.form(), settling.additions(), settling.numbers(),
+                        List.of(fixed(IntStream.range(0, start.length).mapToDouble(i -> within(settling, i, start[i])).toArray()))));
     }
 
     private static double within(Hypothesis hypothesis, int number, double value) {

@@ -23,13 +23,13 @@ public record Chosen(Fitter.State fit, double price) {
     /**
      * Whether it is likelier than another, by what both leave of the data that were fitted and of data that were not, in the mean: no
      * formula is quite right, so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What
-     * does worse on data not used is not.
+     * does worse on data not used, and leaves more than noise there, is not.
      *
      * @param heldOut mean square of the whitened residual that this leaves of data not used
      * @param otherHeldOut likewise, of what the other does
      */
     public boolean outweighs(double heldOut, Chosen other, double otherHeldOut) {
-        return gain(heldOut, otherHeldOut) > 0 && evidence(heldOut, other, otherHeldOut) > price - other.price();
+        return (heldOut <= 1 || gain(heldOut, otherHeldOut) > 0) && evidence(heldOut, other, otherHeldOut) > price - other.price();
     }
 
     /** Logarithm of the evidence for it against another, but for their prices, by both kinds of data in the mean [nat]; as above. */

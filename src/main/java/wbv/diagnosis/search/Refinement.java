@@ -180,10 +180,10 @@ public final class Refinement {
     /**
      * Whether the numbers that one form of a law has more than another are worth their price, on data that were not used too.
      *
-     * @param more how many
+     * @param more how many; less than none cost nothing
      */
     public boolean pays(Fitter.State further, Fitter.State simpler, int more) {
-        return outweighs(new Chosen(further, more * Calibration.standard().price()), Chosen.single(simpler));
+        return outweighs(new Chosen(further, Math.max(0, more) * Calibration.standard().price()), Chosen.single(simpler));
     }
 
     /** Whether one is likelier than the other by data fitted and not used, see {@link Chosen#outweighs}. */

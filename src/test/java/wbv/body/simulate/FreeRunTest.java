@@ -64,6 +64,7 @@ class FreeRunTest {
                 new ContactLoss(60),
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4),
                 new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5), new StepChange(1.2, 0.5, 0.7),
+                new StepChange.Gradual(1.2, 0.5, 0.7, 0.8),
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
                 new MuscleReflex(20000, 900, 0.06, 0.05, Law.Side.EXTENSION),
                 new MuscleReflex(5000, 2000, 0.04, 0.03, Law.Side.COMPRESSION),
@@ -100,7 +101,7 @@ class FreeRunTest {
                 size += slope * slope;
             }
             double tolerance = law instanceof CoulombFriction || law instanceof BumpStop || law instanceof ContactLoss
-                    || law instanceof StepChange ? 2e-2 : 1e-3;
+                    || law instanceof StepChange || law instanceof StepChange.Gradual ? 2e-2 : 1e-3;
             assertTrue(Math.sqrt(error) <= tolerance * Math.sqrt(size) + 1e-9 * Math.abs(1 / value),
                     law + " parameter " + p + ": " + Math.sqrt(error / size));
         }
