@@ -32,6 +32,19 @@ class ChangingBenchTest {
         assertTrue(named.intervals().get("time_s").high() - named.intervals().get("time_s").low() < 5 / pace, d.sentence());
     }
 
+    /** Along half a cosine, which is none of the library's, over fifteen periods. */
+    @Tag("slow")
+    @ParameterizedTest
+    @CsvSource({"1, 13", "40, 14"})
+    void aSpringThatGivesWayInAWhileTellsHowLongThatWas(double pace, long seed) {
+        Diagnosis d = diagnosed(pace, share -> 1 - 0.1 * (1 - Math.cos(Math.PI * Math.max(0, Math.min(1, (share - 0.4) / 0.05 + 0.5)))),
+                STEADY, seed);
+        Diagnosis.Named named = only(d, "drift.step");
+        assertEquals(0.8, named.parameters().get("stiffness_factor"), 0.01, d.sentence());
+        assertEquals(0.4 * SECONDS / pace, named.parameters().get("time_s"), 0.1 / pace, d.sentence());
+        assertEquals(0.05 * SECONDS / pace, named.parameters().get("duration_s"), 0.4 / pace, d.sentence());
+    }
+
     @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1, 5", "40, 6"})

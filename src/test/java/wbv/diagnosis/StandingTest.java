@@ -124,6 +124,7 @@ class StandingTest {
         Chosen one = Chosen.single(single);
         assertTrue(new Chosen(both, price).outweighs(1.1, one, 3));
         assertTrue(!new Chosen(both, price).outweighs(3.1, one, 3), "what does worse on data not used is no part");
+        assertTrue(new Chosen(both, price).outweighs(0.98, one, 0.97), "but for noise, of which one leaves a little more by chance");
         assertTrue(new Chosen(both, price).outweighs(2.5, one, 3), "a quiet stretch shows less of it");
         assertTrue(!new Chosen(both, POWER * Math.log(20) + 1e-9).outweighs(1.1, one, 3)
                 && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));

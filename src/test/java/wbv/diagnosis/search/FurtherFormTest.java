@@ -12,8 +12,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
 import wbv.body.law.BristleFriction;
+import wbv.body.law.Law;
 import wbv.body.law.Reflex;
 import wbv.body.law.Saturation.PartialSaturation;
+import wbv.body.law.Settling;
+import wbv.body.law.StepChange;
 import wbv.body.number.Numbers;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
@@ -77,6 +80,35 @@ class FurtherFormTest {
         BristleFriction found = assertInstanceOf(BristleFriction.class, best.candidate().at(best.x()).laws().get(0).law());
         assertEquals(truth.friction(), found.friction(), 0.1 * truth.friction());
         assertEquals(truth.bristle(), found.bristle(), 0.2 * truth.bristle());
+    }
+
+    /** Of what changes slowly a parabola over time alone is sought, and what settles begins where it is found. */
+    @Test
+    void whatSettlesIsFoundFromAParabola() {
+        Settling truth = new Settling(-0.6, 15, 0.5);
+        Settling found = assertInstanceOf(Settling.class, changed(truth, "drift.slow"));
+        assertEquals(truth.change(), found.change(), 0.06);
+        assertEquals(truth.settling(), found.settling(), 2);
+    }
+
+    /** A change that takes two seconds, found from one at once; one at once stays that. */
+    @Test
+    void aChangeTellsHowLongItTakes() {
+        StepChange.Gradual truth = new StepChange.Gradual(14, 0.7, 1, 2);
+        StepChange.Gradual found = assertInstanceOf(StepChange.Gradual.class, changed(truth, "drift.step"));
+        assertEquals(truth.time(), found.time(), 0.1);
+        assertEquals(truth.duration(), found.duration(), 0.4);
+        assertEquals(truth.stiffnessFactor(), found.stiffnessFactor(), 0.01);
+        assertInstanceOf(StepChange.class, changed(new StepChange(14, 0.7, 1), "drift.step"));
+    }
+
+    /** The best law of a change in the first link, begun in its plain form. */
+    private static Law changed(Law truth, String mechanism) {
+        Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(truth));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State best = search.best(search.base(Baseline.of(evidence)), hypothesis -> hypothesis.where().equals("platform-torso")
+                && hypothesis.mechanism().equals(mechanism) && hypothesis.form().isEmpty()).orElseThrow();
+        return best.candidate().at(best.x()).laws().get(0).law();
     }
 
     /**
