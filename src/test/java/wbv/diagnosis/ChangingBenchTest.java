@@ -42,9 +42,8 @@ class ChangingBenchTest {
         Diagnosis.Named named = only(d, "drift.step");
         assertEquals(0.8, named.parameters().get("stiffness_factor"), 0.01, d.sentence());
         assertEquals(0.4 * SECONDS / pace, named.parameters().get("time_s"), 0.1 / pace, d.sentence());
-        // As steep as where the cosine is steepest at most, and no longer than all of it.
-        double duration = named.parameters().get("duration_s");
-        assertTrue(duration > 0.05 * SECONDS / pace * 2 / Math.PI && duration < 0.05 * SECONDS / pace, d.sentence());
+        // Of all ramps that of 0.727 of its length is nearest to half a cosine, in least squares.
+        assertEquals(0.727 * 0.05 * SECONDS, pace * named.parameters().get("duration_s"), 0.1, d.sentence());
     }
 
     @Tag("slow")
