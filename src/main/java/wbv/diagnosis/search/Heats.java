@@ -55,7 +55,7 @@ final class Heats {
             goOn(base, heat);
         }
         int finalists = near(heat, second ? Effort.FINALISTS / 2 : Effort.FINALISTS);
-        finalists = withPromising(heat, finalists, Screening.alike(base, chosen));
+        finalists = withPromising(heat, finalists, Screening.alike(chosen));
         List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> refinement.finish(begun, base))).get(0)));
         all.addAll(Parallel.map(rest(heat, finalists), trial -> trial.on(whole)));

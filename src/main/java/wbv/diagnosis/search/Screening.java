@@ -57,18 +57,12 @@ public final class Screening {
     }
 
     /**
-     * Those that promise to leave about as little as the first does.
+     * Those that promise nearly as much as the first does.
      *
-     * @param base on top of which they stand
      * @param scores greatest first
      */
-    static List<Score> alike(Fitter.State base, List<Score> scores) {
-        return scores.stream().filter(score -> promised(base, score) <= Effort.ALIKE * promised(base, scores.get(0))).toList();
-    }
-
-    /** Excess [1] that a hypothesis promises to leave. */
-    private static double promised(Fitter.State base, Score score) {
-        return Refinement.excess((base.square() - score.gain()) / base.frame().whitening().degrees());
+    static List<Score> alike(List<Score> scores) {
+        return scores.stream().takeWhile(score -> score.gain() >= Priors.NEARLY_ALL * scores.get(0).gain()).toList();
     }
 
     /**

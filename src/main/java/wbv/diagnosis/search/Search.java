@@ -135,7 +135,7 @@ public final class Search {
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
         double reach = fits.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(fits.get(0).reduced());
         List<Fitter.State> ahead = fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).toList();
-        List<Screening.Score> promising = Screening.alike(base, scores);
+        List<Screening.Score> promising = Screening.alike(scores);
         List<Fitter.State> chosen = fits.stream()
                 .filter(fit -> ahead.contains(fit) || promising.stream().anyMatch(score -> score.promisesMore(base, fit))).toList();
         List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polishFromBoth));
