@@ -27,8 +27,12 @@ public record StepChange(@Key("time_s") double time, @Key("stiffness_factor") do
     public double force(LinkMotion m) {
         // Within the step in which it happens the change counts in part, so that the force is continuous in its time.
         double share = Math.max(0, Math.min(1, (m.time - time) / m.step + 0.5));
-        return share * ((stiffnessFactor - 1) * m.stiffness * m.displacement
-                + (dampingFactor - 1) * m.damping * m.velocity);
+        return changed(share, stiffnessFactor, dampingFactor, m);
+    }
+
+    /** @param share of the change that has happened [1] */
+    private static double changed(double share, double stiffnessFactor, double dampingFactor, LinkMotion m) {
+        return share * ((stiffnessFactor - 1) * m.stiffness * m.displacement + (dampingFactor - 1) * m.damping * m.velocity);
     }
 
     /**
@@ -56,8 +60,7 @@ public record StepChange(@Key("time_s") double time, @Key("stiffness_factor") do
         @Override
         public double force(LinkMotion m) {
             double share = Math.max(0, Math.min(1, (m.time - time) / duration + 0.5));
-            return share * ((stiffnessFactor - 1) * m.stiffness * m.displacement
-                    + (dampingFactor - 1) * m.damping * m.velocity);
+            return changed(share, stiffnessFactor, dampingFactor, m);
         }
     }
 }

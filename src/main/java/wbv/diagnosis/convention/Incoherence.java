@@ -18,7 +18,7 @@ import wbv.recording.Recording;
  */
 final class Incoherence {
 
-    /** Samples of a segment: eight seconds of a person, a hundred periods of most of a bench's modes, so that what rings is heard. */
+    /** Samples of a segment, an effort: eight seconds of a person, thirty periods of a bench at 16 samples each: what rings is heard. */
     private static final int SEGMENT = 512;
     /** Of what is integrated the slow drift goes with nothing in a segment. */
     private static final Set<Quantity> STEADY = Set.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.FORCE);

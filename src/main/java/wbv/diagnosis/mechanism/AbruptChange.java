@@ -33,7 +33,10 @@ record AbruptChange() implements Mechanism {
     /** Periods in which what changes has changed (assumed) [1], and the most of the record that they may be. */
     private static final double CHANGING = 5;
     private static final double MOST_CHANGING = 0.025;
-    /** How long a change may take, and from where that is found, in times of this: half a period to as many as a slow drift takes [1]. */
+    /**
+     * How long a change may take, and from where that is found, in times of this (assumed) [1]: half a period to the sixty that a slow
+     * drift takes at least.
+     */
     private static final double SHORTEST = 0.1;
     private static final double LONGEST = 12;
     private static final double[] LONG = {1, 4};

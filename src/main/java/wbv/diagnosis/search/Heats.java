@@ -63,7 +63,7 @@ final class Heats {
     }
 
     /**
-     * How many are finalists with those that promised to first order about as much as the first, wherever they stand: a drift has farther
+     * How many are finalists with those that promised to first order nearly as much as the first, wherever they stand: a drift has farther
      * to go than a step at the best of sixty moments, and after as many steps stands behind that.
      *
      * @param heat least cost first; on return they follow the finalists there
