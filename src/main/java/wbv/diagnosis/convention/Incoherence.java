@@ -8,6 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import wbv.body.Model;
 import wbv.diagnosis.measured.Coherence;
 import wbv.diagnosis.measured.Measured;
+import wbv.diagnosis.search.Priors;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
@@ -15,11 +16,17 @@ import wbv.recording.Recording;
 /**
  * What no linear model explains of what its sensors measured, whatever its numbers: what does not go with what moves it (Bendat and
  * Piersol, Random Data, 2010, section 6.1.4). A sign or a unit changes nothing of that.
+ *
+ * <p>What rings on beyond a segment goes with nothing inside it. Of a mode that dies down with a time constant τ the product of a segment
+ * of T under a Hann window w and of what it was τ later is less by 1 - (∫w'²/∫w²) τ²/2, where ∫w'²/∫w² = 4π²/(3T²); of an exponential
+ * decay, the mean of whose squared ages is 2τ², the coherence at its resonance is less by (4π²/3)(τ/T)².
  */
 final class Incoherence {
 
-    /** Samples of a segment, an effort: eight seconds of a person, thirty periods of a bench at 16 samples each: what rings is heard. */
+    /** Samples of a segment, an effort: eight seconds of a person. */
     private static final int SEGMENT = 512;
+    /** Times the decay that the model's numbers say, as they may be: of two deviations of what users give. */
+    private static final double LONGER = Math.exp(2 * Priors.NUMBER_DEVIATION);
     /** Of what is integrated the slow drift goes with nothing in a segment. */
     private static final Set<Quantity> STEADY = Set.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.FORCE);
 
@@ -38,9 +45,19 @@ final class Incoherence {
      * @param convention as which all is read
      */
     double least(Convention convention, List<Channel> outputs) {
-        return model.excitations().size() > 1 ? 0
-                : outputs.stream().mapToDouble(
-                        output -> least(convention.source(model.excitations().get(0)), convention.source(output))).average().orElse(0);
+        if (model.excitations().size() > 1) {
+            return 0;
+        }
+        double beyond = beyond(convention.read(model));
+        return outputs.stream().mapToDouble(output -> Math.max(0,
+                least(convention.source(model.excitations().get(0)), convention.source(output)) - beyond)).average().orElse(0);
+    }
+
+    /** The part that rings on beyond a segment, at most [1]. */
+    private double beyond(Model meant) {
+        double rate = recording.clock().rate();
+        double segment = Coherence.segment(rate, recording.length(), SEGMENT) / rate;
+        return 4 * Math.PI * Math.PI / 3 * Math.pow(LONGER / meant.assembly().structure().slowestDecay() / segment, 2);
     }
 
     private double least(Channel input, Channel output) {
@@ -49,7 +66,7 @@ final class Incoherence {
                     && Arrays.stream(recording.values(channel)).noneMatch(Double::isNaN));
             Coherence shared = told ? Coherence.of(recording.clock().rate(), Measured.centred(recording.values(input)),
                     Measured.centred(recording.values(output)), Coherence.Weight.OUTPUT, SEGMENT) : Coherence.NONE;
-            return shared == Coherence.NONE ? 0 : Math.max(0, 1 - shared.share() - shared.sure());
+            return shared == Coherence.NONE ? 0 : 1 - shared.share() - shared.sure();
         });
     }
 }

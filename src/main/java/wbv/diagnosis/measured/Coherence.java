@@ -59,11 +59,7 @@ public record Coherence(double share, double deviation) {
      * @param longest samples of a segment at most, a power of two
      */
     public static Coherence of(double rate, double[] x, double[] y, Weight weight, int longest) {
-        int length = longest;
-        while (length > SHORTEST && new Segmentation(rate, length, 0.5).independent(2L * x.length / length - 1) < FEWEST) {
-            length /= 2;
-        }
-        CrossSpectrum spectra = new CrossSpectrum(new Segmentation(rate, length, 0.5), Detrend.MEAN, 1);
+        CrossSpectrum spectra = new CrossSpectrum(new Segmentation(rate, segment(rate, x.length, longest), 0.5), Detrend.MEAN, 1);
         for (int i = 0; i < x.length; i++) {
             spectra.accept(x[i], y[i]);
         }
@@ -85,6 +81,21 @@ public record Coherence(double share, double deviation) {
         }
         double scatter = Math.sqrt((n - 1) / (n * n * (n + 1))) / (1 - 1 / n);
         return total > 0 ? new Coherence(sum / total, scatter * Math.sqrt(square) / total) : NONE;
+    }
+
+    /**
+     * Samples of a segment of which enough fit in.
+     *
+     * @param rate [Hz]
+     * @param samples of the series
+     * @param longest samples of a segment at most, a power of two
+     */
+    public static int segment(double rate, int samples, int longest) {
+        int length = longest;
+        while (length > SHORTEST && new Segmentation(rate, length, 0.5).independent(2L * samples / length - 1) < FEWEST) {
+            length /= 2;
+        }
+        return length;
     }
 
     /** The share from which on there is a relation. */

@@ -43,6 +43,15 @@ class IncoherenceTest {
         assertEquals(least, least(half, new Convention.Exchanged(HEAD, TRUNK), TRUNK), 0, "the name is the trunk's, the noise the head's");
     }
 
+    /** The load swings on for half a second or more, segments are of two and a half. */
+    @ParameterizedTest
+    @ValueSource(longs = {11, 12, 13, 14, 15, 16, 17, 18, 23, 25, 26})
+    void isNotWhatRingsOnBeyondASegment(long seed) {
+        Ride bench = MeantRides.bench(seed, 0.3, Extra.NONE);
+        Channel load = Channel.parse("load.acc.z");
+        assertEquals(0, least(bench, new Convention.Misread(load, -1, ""), load), 0);
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {11, 12})
     void isNotToldOfWhatIsLost(long seed) {
