@@ -166,8 +166,8 @@ public final class Screening {
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
         if (isInLink(hypothesis)) {
-            int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
-            return seen(linear.answer(link, force(hypothesis, link, values)));
+            int link = link(hypothesis);
+            return direction(link, force(hypothesis, link, values));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false, bends).outputs();
@@ -186,25 +186,23 @@ public final class Screening {
         return hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink);
     }
 
-    /**
-     * What the laws of a hypothesis carry over what the model carries in their link, root mean squares along the motion [1].
-     *
-     * @param hypothesis that is laws in a link
-     * @param values by number, in its unit. Not modified.
-     */
-    double share(Hypothesis hypothesis, double[] values) {
-        int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
-        double[] own = motion.load(link);
-        return Motion.rms(force(hypothesis, link, values), own.length) / Motion.rms(own, own.length);
+    /** The link that a hypothesis is laws in. */
+    static int link(Hypothesis hypothesis) {
+        return ((Addition.OfLink) hypothesis.additions().get(0)).link();
     }
 
     /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
-    private double[] force(Hypothesis hypothesis, int link, double[] values) {
+    double[] force(Hypothesis hypothesis, int link, double[] values) {
         Structure structure = state.candidate().at(state.x()).structure();
+        return force(hypothesis, link, values, structure.stiffness()[link], structure.damping()[link]);
+    }
+
+    /** The same in a link of other numbers [N/m] and [N s/m]. */
+    double[] force(Hypothesis hypothesis, int link, double[] values, double stiffness, double damping) {
         double[] sum = new double[motion.displacement(link).length];
         for (Law law : hypothesis.laws(values)) {
-            double[] own = law.series(motion.displacement(link), motion.velocity(link), structure.stiffness()[link],
-                    structure.damping()[link], evidence.excitation().fineStep(), modulators.of(law.modulator()));
+            double[] own = law.series(motion.displacement(link), motion.velocity(link), stiffness, damping,
+                    evidence.excitation().fineStep(), modulators.of(law.modulator()));
             Arrays.setAll(sum, i -> sum[i] + own[i]);
         }
         return sum;
@@ -222,6 +220,15 @@ public final class Screening {
      */
     public double[] direction(int link, double[] force) {
         return seen(linear.answer(link, force));
+    }
+
+    /**
+     * The same of a force on a body, or a moment.
+     *
+     * @param force spectrum of one [N] or [N m]. Not modified.
+     */
+    double[] directionOn(int body, double[] force) {
+        return seen(linear.answerOn(body, force));
     }
 
     /** What may follow is partialled out of directions by this. */
