@@ -47,7 +47,8 @@ final class MeasuredStarts {
         this.base = base;
         this.motion = motion;
         this.structure = base.candidate().at(base.x()).structure();
-        double[][] accelerations = motion.accelerations();
+        // What is driven has no masses, and moves as it was measured.
+        double[][] accelerations = structure.held() ? new double[0][] : motion.accelerations();
         this.carried = IntStream.range(0, base.x().length).mapToObj(i -> carried(i, accelerations)).toArray(double[][]::new);
     }
 

@@ -23,7 +23,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 
-/** Strong laws in a resonance, of oscillators that {@link Bench} steps, are begun at about what they are, and so is the spring beside them. */
+/** Strong laws in a resonance, of oscillators that {@link Bench} steps, begin at about what they are, and so does the spring beside them. */
 class MeasuredStartsTest {
 
     private static final double MASS = 2;
