@@ -36,6 +36,8 @@ final class MeasuredStarts {
     private final Structure structure;
     /** What each of the model's numbers does along the motion by all that it is, by coordinate; to first order what is no factor. */
     private final double[][] carried;
+    /** What is left along the motion. */
+    private final double[] left;
 
     /**
      * Along the motion at a fit.
@@ -50,12 +52,13 @@ final class MeasuredStarts {
         // What is driven has no masses, and moves as it was measured.
         double[][] accelerations = structure.held() ? new double[0][] : motion.accelerations();
         this.carried = IntStream.range(0, base.x().length).mapToObj(i -> carried(i, accelerations)).toArray(double[][]::new);
+        this.left = screening.along();
     }
 
     private double[] carried(int i, double[][] accelerations) {
         Knob knob = base.candidate().knobs().get(i);
         int at = knob.slot().at();
-        return knob.unit() != 0 ? base.slopes()[i] : switch (knob.slot().kind()) {
+        return knob.unit() != 0 || !knob.tied().isEmpty() ? base.slopes()[i] : switch (knob.slot().kind()) {
             case STIFFNESS -> screening.direction(at, times(structure.stiffness()[at], motion.displacement(at)));
             case DAMPING -> screening.direction(at, times(structure.damping()[at], motion.velocity(at)));
             case MASS -> Arrays.stream(structure.sharing(at))
@@ -110,7 +113,7 @@ final class MeasuredStarts {
             all[carried.length + c] = screening.direction(link,
                     screening.force(hypothesis, link, Screening.sized(hypothesis, start, only)));
         }
-        double[] strengths = strengths(new Columns(all), base.residual());
+        double[] strengths = strengths(new Columns(all), left);
         double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, carried.length, all.length));
         return IntStream.range(0, values.length).allMatch(i -> {
             Hypothesis.Number number = hypothesis.numbers().get(i);
@@ -134,12 +137,12 @@ final class MeasuredStarts {
                 all[i] = sum(all[i], screening.direction(link, more));
             }
         }
-        double[] left = sum(base.residual(), screening.direction(link, law));
+        double[] beside = sum(left, screening.direction(link, law));
         Columns columns = new Columns(all);
-        double[] strengths = strengths(columns, left);
-        columns.subtract(Arrays.stream(strengths).map(s -> -s).toArray(), left);
+        double[] strengths = strengths(columns, beside);
+        columns.subtract(Arrays.stream(strengths).map(s -> -s).toArray(), beside);
         double[] x = base.candidate().extended(base.x(), with, hypothesis, values);
-        double cost = ScalarProduct.of(left, left);
+        double cost = ScalarProduct.of(beside, beside);
         for (int i = 0; i < all.length; i++) {
             Knob knob = base.candidate().knobs().get(i);
             double value = knob.unit() == 0 ? knob.value(x[i]) * (1 + strengths[i]) : knob.value(x[i] + strengths[i]);
@@ -150,7 +153,7 @@ final class MeasuredStarts {
     }
 
     /**
-     * How strong some directions are that leave least of a residual, the links' numbers first, of which something is known [1].
+     * How strong some directions are that leave least of a residual, those of the model's numbers first, of which something is known [1].
      *
      * @param residual Not modified.
      */

@@ -5,6 +5,9 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import wbv.body.Assembly;
+import wbv.body.LawAt;
+import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.body.law.Law;
 import wbv.body.simulate.ModulatorSeries;
@@ -211,6 +214,27 @@ public final class Screening {
     /** A change of the outputs as a change of the residual. */
     private double[] seen(double[][] change) {
         return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
+    }
+
+    /** The residual if the laws that the model has already made what they make along the motion as measured. A new array. */
+    double[] along() {
+        double[] out = state.residual();
+        Assembly fitted = state.candidate().at(state.x());
+        List<LawAt> laws = fitted.laws().stream().filter(at -> !at.law().isLinear()).toList();
+        if (!laws.isEmpty()) {
+            Motion own = Motion.simulated(evidence, fitted);
+            for (LawAt at : laws) {
+                double[] change = force(at, fitted.structure(), motion);
+                Spectra.add(change, force(at, fitted.structure(), own), -1);
+                Spectra.add(out, direction(at.link(), change), 1);
+            }
+        }
+        return out;
+    }
+
+    private double[] force(LawAt at, Structure structure, Motion along) {
+        return at.law().series(along.displacement(at.link()), along.velocity(at.link()), structure.stiffness()[at.link()],
+                structure.damping()[at.link()], evidence.excitation().fineStep(), modulators.of(at.law().modulator()));
     }
 
     /**
