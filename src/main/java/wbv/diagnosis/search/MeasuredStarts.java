@@ -92,10 +92,10 @@ final class MeasuredStarts {
      * @param with base and hypothesis
      */
     Optional<double[]> of(Candidate with, Hypothesis hypothesis) {
-        if (!Screening.isInLink(hypothesis)) {
+        if (!LinkLaws.isInLink(hypothesis)) {
             return Optional.empty();
         }
-        int link = Screening.link(hypothesis);
+        int link = LinkLaws.link(hypothesis);
         return hypothesis.starts().stream().flatMap(start -> sized(hypothesis, link, start).stream())
                 .map(values -> solved(with, hypothesis, link, values)).min(Comparator.comparingDouble(Solved::left)).map(Solved::x);
     }
@@ -111,7 +111,7 @@ final class MeasuredStarts {
             double[] only = new double[columns];
             only[c] = 1;
             all[carried.length + c] = screening.direction(link,
-                    screening.force(hypothesis, link, Screening.sized(hypothesis, start, only)));
+                    screening.laws().force(hypothesis, Screening.sized(hypothesis, start, only)));
         }
         double[] strengths = strengths(new Columns(all), left);
         double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, carried.length, all.length));
@@ -125,13 +125,13 @@ final class MeasuredStarts {
     private Solved solved(Candidate with, Hypothesis hypothesis, int link, double[] values) {
         double stiffness = structure.stiffness()[link];
         double damping = structure.damping()[link];
-        double[] law = screening.force(hypothesis, link, values);
+        double[] law = screening.laws().force(hypothesis, values);
         double[][] all = carried.clone();
         for (int i = 0; i < all.length; i++) {
             Knob knob = base.candidate().knobs().get(i);
             if (knob.isOfLink() && knob.slot().at() == link) {
                 boolean spring = knob.slot().kind() == Slot.Kind.STIFFNESS;
-                double[] more = screening.force(hypothesis, link, values, spring ? (1 + Effort.DIFFERENCE) * stiffness : stiffness,
+                double[] more = screening.laws().force(hypothesis, values, spring ? (1 + Effort.DIFFERENCE) * stiffness : stiffness,
                         spring ? damping : (1 + Effort.DIFFERENCE) * damping);
                 Arrays.setAll(more, j -> (more[j] - law[j]) / Effort.DIFFERENCE);
                 all[i] = sum(all[i], screening.direction(link, more));

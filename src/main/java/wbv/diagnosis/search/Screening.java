@@ -1,15 +1,12 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Spectra;
-import wbv.body.Structure;
-import wbv.body.law.Law;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
@@ -20,7 +17,6 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Whitening;
-import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
 
@@ -36,13 +32,12 @@ public final class Screening {
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
-    private final Motion motion;
+    private final LinkLaws laws;
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
     private final Optional<Simulator.Bends> bends;
     private final Lateness late;
-    private final ModulatorSeries modulators;
     private final PartialledOut left;
 
     /**
@@ -83,11 +78,10 @@ public final class Screening {
      * @param modulators along the motion
      */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
-        this.modulators = modulators;
         this.evidence = evidence;
         this.state = state;
         this.whitening = state.frame().whitening();
-        this.motion = motion;
+        this.laws = new LinkLaws(evidence, state.candidate().at(state.x()).structure(), motion, modulators);
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
         Simulator.Response there = simulator.run(state.candidate().at(state.x()), false);
@@ -168,9 +162,8 @@ public final class Screening {
      * @param values by number, in its unit. Not modified.
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (isInLink(hypothesis)) {
-            int link = link(hypothesis);
-            return direction(link, force(hypothesis, link, values));
+        if (LinkLaws.isInLink(hypothesis)) {
+            return direction(LinkLaws.link(hypothesis), laws.force(hypothesis, values));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false, bends).outputs();
@@ -184,33 +177,6 @@ public final class Screening {
         return seen(difference);
     }
 
-    /** Whether a hypothesis is laws in a link that are not linear. */
-    static boolean isInLink(Hypothesis hypothesis) {
-        return hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink);
-    }
-
-    /** The link that a hypothesis is laws in. */
-    static int link(Hypothesis hypothesis) {
-        return ((Addition.OfLink) hypothesis.additions().get(0)).link();
-    }
-
-    /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
-    double[] force(Hypothesis hypothesis, int link, double[] values) {
-        Structure structure = state.candidate().at(state.x()).structure();
-        return force(hypothesis, link, values, structure.stiffness()[link], structure.damping()[link]);
-    }
-
-    /** The same in a link of other numbers [N/m] and [N s/m]. */
-    double[] force(Hypothesis hypothesis, int link, double[] values, double stiffness, double damping) {
-        double[] sum = new double[motion.displacement(link).length];
-        for (Law law : hypothesis.laws(values)) {
-            double[] own = law.series(motion.displacement(link), motion.velocity(link), stiffness, damping,
-                    evidence.excitation().fineStep(), modulators.of(law.modulator()));
-            Arrays.setAll(sum, i -> sum[i] + own[i]);
-        }
-        return sum;
-    }
-
     /** A change of the outputs as a change of the residual. */
     private double[] seen(double[][] change) {
         return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
@@ -220,21 +186,17 @@ public final class Screening {
     double[] along() {
         double[] out = state.residual();
         Assembly fitted = state.candidate().at(state.x());
-        List<LawAt> laws = fitted.laws().stream().filter(at -> !at.law().isLinear()).toList();
-        if (!laws.isEmpty()) {
-            Motion own = Motion.simulated(evidence, fitted);
-            for (LawAt at : laws) {
-                double[] change = force(at, fitted.structure(), motion);
-                Spectra.add(change, force(at, fitted.structure(), own), -1);
-                Spectra.add(out, direction(at.link(), change), 1);
-            }
+        List<LawAt> own = LinkLaws.of(fitted);
+        if (!own.isEmpty()) {
+            Motion simulated = Motion.simulated(evidence, fitted);
+            own.forEach(at -> Spectra.add(out, direction(at.link(), laws.beyond(at, simulated)), 1));
         }
         return out;
     }
 
-    private double[] force(LawAt at, Structure structure, Motion along) {
-        return at.law().series(along.displacement(at.link()), along.velocity(at.link()), structure.stiffness()[at.link()],
-                structure.damping()[at.link()], evidence.excitation().fineStep(), modulators.of(at.law().modulator()));
+    /** Laws along the motion as measured. */
+    LinkLaws laws() {
+        return laws;
     }
 
     /**

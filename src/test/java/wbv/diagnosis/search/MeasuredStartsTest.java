@@ -80,7 +80,7 @@ class MeasuredStartsTest {
         assertTrue(Math.abs(Math.log(fitted)) > 2 * Math.abs(Math.log(begun)), "nearer than what was fitted without it: " + fitted);
     }
 
-    /** What the model has already that is not linear goes along the measured motion, too: a cube that was fitted beside no drag is far off. */
+    /** What the model has already goes along the measured motion, too: a cube that was fitted beside no drag is far off. */
     @ParameterizedTest
     @CsvSource({"1,acc", "2,acc", "3,vel", "4,vel", "5,pos", "6,pos"})
     void aSecondLawIsAsStrongAsItIs(long seed, String quantity) {
