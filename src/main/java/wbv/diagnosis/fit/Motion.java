@@ -113,7 +113,7 @@ public final class Motion implements ModulatorSeries.Links {
         }
         Simulator.Response run = new Simulator(excitation).run(assembly, false);
         double[][] apart = new double[assembly.structure().bodies()][2 * omega.length];
-        for (int o = assembly.outputs().size() - 1; o >= 0; o--) {
+        for (int o = assembly.outputs().size() - 1; o >= 0; o--) {   // of two that read one body the first counts
             Assembly.Output output = assembly.outputs().get(o);
             if (output.reading() != Assembly.Reading.LINK_FORCE && output.reads().at().length == 1) {
                 apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]));

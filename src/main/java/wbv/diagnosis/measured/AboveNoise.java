@@ -12,9 +12,7 @@ public final class AboveNoise {
 
     /** Lines to either side over which the power of one is averaged, an effort. */
     private static final int LINES = 8;
-    /**
-     * Times its mean that the power of noise never reaches so: six deviations of the mean of 2 (2 LINES + 1) squares.
-     */
+    /** Times its mean that the power of noise never reaches so: six deviations of the mean of 2 (2 LINES + 1) squares. */
     private static final double SURE = 1 + 6 / Math.sqrt(2 * LINES + 1);
     /** Part of an integral's power that noise is at most [1], an effort: a tenth of its size. */
     private static final double MOST = 0.01;

@@ -1,9 +1,7 @@
 package wbv.diagnosis.search;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Spectra;
