@@ -26,6 +26,8 @@ public final class Motion implements ModulatorSeries.Links {
     private static final double CROSSOVER = 1;
     private static final double TOP = 18;
     private static final double BOTTOM = 0.15;
+    /** Times that the slowest mode of a rig is above that: as often as a sitter's. Far below a mode a model knows best how little moves. */
+    private static final double BELOW = 5;
     /** Part of a series at either end over which what shows beside a model comes and goes, an effort: a jump is slow motion, integrated. */
     private static final double EDGE = 1.0 / 16;
 
@@ -116,7 +118,8 @@ public final class Motion implements ModulatorSeries.Links {
         for (int o = assembly.outputs().size() - 1; o >= 0; o--) {   // of two that read one body the first counts
             Assembly.Output output = assembly.outputs().get(o);
             if (output.reading() != Assembly.Reading.LINK_FORCE && output.reads().at().length == 1) {
-                apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]));
+                apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]),
+                        assembly.structure().slowestMode().orElse(0) / BELOW);
             }
         }
         for (int l = 0; l < displacement.length; l++) {
@@ -135,12 +138,12 @@ public final class Motion implements ModulatorSeries.Links {
     }
 
     /**
-     * How far the body that an output reads is from where a model has it, a spectrum [m]: of what the output reads beside that the part
-     * that is no noise of its own.
+     * How far the body that an output reads is from where a model has it, a spectrum [m]: what it reads beside that and is no noise.
      *
      * @param model what the model makes of it, by sample, in the output's unit. Not modified.
+     * @param lowest frequency below which what is integrated is the model's [Hz]
      */
-    private static double[] apart(Evidence evidence, int o, Assembly.Output output, double[] model) {
+    private static double[] apart(Evidence evidence, int o, Assembly.Output output, double[] model, double lowest) {
         Excitation excitation = evidence.excitation();
         int n = excitation.samples();
         boolean[] valid = evidence.valid(o);
@@ -149,14 +152,12 @@ public final class Motion implements ModulatorSeries.Links {
         Taper ends = Taper.ends(n, EDGE);
         double[] beside = new double[n];
         Arrays.setAll(beside, i -> valid[i] ? (measured[i] - model[i] - level) * ends.weight(i) : 0);
-        int times = switch (output.reading()) {
-            case ACCELERATION -> 2;
-            case VELOCITY -> 1;
-            default -> 0;
-        };
+        int times = output.reading() == Assembly.Reading.ACCELERATION ? 2 : output.reading() == Assembly.Reading.VELOCITY ? 1 : 0;
         double[] out = AboveNoise.integral(excitation, excitation.spectrum(beside), evidence.noise()[o], times);
-        double by = output.reads().by()[0];
-        return Arrays.stream(out).map(value -> value / by).toArray();
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= (times == 0 ? 1 : above(excitation.omega()[i / 2] / (2 * Math.PI), lowest)) / output.reads().by()[0];
+        }
+        return out;
     }
 
     /** The output that reads the acceleration of a body without a gross fault. */
@@ -170,11 +171,15 @@ public final class Motion implements ModulatorSeries.Links {
         return Optional.empty();
     }
 
+    /** How much of what is measured at a frequency counts [1]. */
+    private static double above(double f, double crossover) {
+        return crossover == 0 ? 1 : 1 - 1 / (1 + Math.pow(f / crossover, 8));
+    }
+
     private static void blend(double[] model, double[] measured, double[] omega) {
         for (int k = 0; k < omega.length; k++) {
             double f = omega[k] / (2 * Math.PI);
-            double u = Math.pow(f / CROSSOVER, 8);
-            double weight = u / (1 + u) / (1 + Math.pow(f / TOP, 12));
+            double weight = above(f, CROSSOVER) / (1 + Math.pow(f / TOP, 12));
             for (int part = 2 * k; part < 2 * k + 2; part++) {
                 model[part] += weight * (measured[part] - model[part]);
             }
