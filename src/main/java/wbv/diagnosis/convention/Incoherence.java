@@ -25,7 +25,7 @@ final class Incoherence {
 
     /** Samples of a segment, an effort: eight seconds of a person. */
     private static final int SEGMENT = 512;
-    /** Times the decay that the model's numbers say, as they may be: of two deviations of what users give. */
+    /** Times as long as the model's numbers say a mode may ring [1]: two standard deviations of a damping that a user gives. */
     private static final double LONGER = Math.exp(2 * Priors.NUMBER_DEVIATION);
     /** Of what is integrated the slow drift goes with nothing in a segment. */
     private static final Set<Quantity> STEADY = Set.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.FORCE);
