@@ -39,6 +39,24 @@ public final class Taper {
         return new Taper(weights);
     }
 
+    /**
+     * One, but for half a cosine at either end (Tukey 1967).
+     *
+     * @param length points N, at least 4
+     * @param part of the length that each of these takes [1], to 0.5
+     */
+    public static Taper ends(int length, double part) {
+        if (length < 4 || !(part > 0 && part <= 0.5)) {
+            throw new IllegalArgumentException("at least 4 points, of which each end takes up to a half: " + length + ", " + part);
+        }
+        double[] weights = new double[length];
+        for (int n = 0; n < length; n++) {
+            double u = Math.min(1, Math.min(n, length - n) / (part * length));
+            weights[n] = (1 - Math.cos(Math.PI * u)) / 2;
+        }
+        return new Taper(weights);
+    }
+
     /** Number of points N. */
     public int length() {
         return weights.length;

@@ -220,6 +220,16 @@ public final class Simulator {
             return run.answer(link, -1, force, false);
         }
 
+        /**
+         * As {@link #answerTo}, of a force on a body, or a moment.
+         *
+         * @param force spectrum of one [N] or [N m]. Not modified.
+         * @return spectra by output, in its own unit
+         */
+        public double[][] answerOn(int body, double[] force) {
+            return run.answer(-1, body, force, false);
+        }
+
         /** What a force of 1 N, or a moment of 1 N m, in a link does to the outputs at every line, spectra by output, in its own unit. */
         public double[][] ofLinkForce(int link) {
             return run.answer(link, -1, excitation.unit().baseSpectrum(), true);

@@ -2,6 +2,8 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Spectra;
@@ -9,10 +11,13 @@ import wbv.body.number.Modulator;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.measured.AboveNoise;
+import wbv.signal.Taper;
 
 /**
  * Relative motion of the links, as measured or as a model moves. As measured it comes from the accelerations of both ends over -ω² above
- * 1 Hz; below, where noise would drown it, and where an end is not measured, from the model.
+ * 1 Hz; below, where noise would drown it, and where an end is not measured, from the model. On a rig, of any frequency, it is the model's
+ * but for what sensors show above their noise.
  *
  * <p>Good to rank laws, not to fit them: with the measured motion in it a link predicts its own channel, whatever its stiffness.
  */
@@ -21,13 +26,20 @@ public final class Motion implements ModulatorSeries.Links {
     private static final double CROSSOVER = 1;
     private static final double TOP = 18;
     private static final double BOTTOM = 0.15;
+    /** Times that the slowest mode of a rig is above that: as often as a sitter's. Far below a mode a model knows best how little moves. */
+    private static final double BELOW = 5;
+    /** Part of a series at either end over which what shows beside a model comes and goes, an effort: a jump is slow motion, integrated. */
+    private static final double EDGE = 1.0 / 16;
 
     private final Assembly assembly;
     private final double step;
     private final double[][] displacement;
     private final double[][] velocity;
+    /** Of each body, as a spectrum [m/s²]. */
+    private final Supplier<double[][]> accelerations;
 
-    private Motion(Assembly assembly, double step, double[][] displacement, double[][] velocity) {
+    private Motion(Assembly assembly, double step, double[][] displacement, double[][] velocity, Supplier<double[][]> accelerations) {
+        this.accelerations = accelerations;
         this.assembly = assembly;
         this.step = step;
         this.displacement = displacement;
@@ -43,7 +55,8 @@ public final class Motion implements ModulatorSeries.Links {
         double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
         return new Motion(assembly, excitation.fineStep(), Arrays.stream(stretch).map(excitation::fineSeries).toArray(double[][]::new),
                 Arrays.stream(stretch).map(r -> excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), r)))
-                        .toArray(double[][]::new));
+                        .toArray(double[][]::new),
+                () -> new Simulator(excitation).accelerations(assembly));
     }
 
     /** Works out the motion of all links, which takes a run of the assembly where a link's end is not measured. */
@@ -56,7 +69,7 @@ public final class Motion implements ModulatorSeries.Links {
         displacement = new double[links][];
         velocity = new double[links][];
         if (evidence.onRig()) {
-            onRig(evidence, assembly);
+            accelerations = onRig(evidence, assembly);
             return;
         }
         double[][] modelled = new Simulator(excitation).accelerations(assembly);
@@ -66,6 +79,7 @@ public final class Motion implements ModulatorSeries.Links {
             blended[b] = modelled[b].clone();
             measuring(assembly, body).ifPresent(output -> blend(blended[body], excitation.spectrum(evidence.measured(output)), omega));
         }
+        accelerations = () -> blended;
         double[][] lifts = new Simulator(excitation).lifts(assembly);
         for (int l = 0; l < links; l++) {
             double[] relative = excitation.stretching(assembly.structure(), l, blended);
@@ -88,41 +102,62 @@ public final class Motion implements ModulatorSeries.Links {
         }
     }
 
-    /** The stroke as measured, or positions where sensors read them over a base at rest, and the model elsewhere. */
-    private void onRig(Evidence evidence, Assembly assembly) {
+    /** The stroke as measured; else as the model moves, and beside it what shows above their noise that the bodies do otherwise. */
+    private Supplier<double[][]> onRig(Evidence evidence, Assembly assembly) {
         Excitation excitation = evidence.excitation();
+        double[] omega = excitation.omega();
         for (int l = 0; l < displacement.length && excitation.stroke().isPresent(); l++) {
             displacement[l] = Arrays.stream(excitation.stroke().get().position()).map(x -> -x).toArray();
             velocity[l] = Arrays.stream(excitation.stroke().get().velocity()).map(v -> -v).toArray();
         }
         if (excitation.stroke().isPresent()) {
-            return;
+            return () -> new Simulator(excitation).accelerations(assembly);
         }
-        double[] omega = excitation.omega();
-        if (evidence.model().base().sensor().isPresent()) {
-            double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
-            for (int l = 0; l < displacement.length; l++) {
-                displacement[l] = excitation.fineSeries(stretch[l]);
-                velocity[l] = excitation.fineSeries(Spectra.timesJOmega(omega, stretch[l]));
-            }
-            return;
-        }
-        double[][] moved = new Simulator(excitation).accelerations(assembly);
-        for (double[] body : moved) {
-            for (int i = 0; i < body.length; i++) {
-                body[i] /= -omega[i / 2] * omega[i / 2];
-            }
-        }
-        for (int o = 0; o < assembly.outputs().size(); o++) {
-            if (assembly.outputs().get(o).reading() == Assembly.Reading.POSITION && assembly.outputs().get(o).reads().at().length == 1) {
-                moved[assembly.outputs().get(o).place()] = excitation.spectrum(Arrays.copyOf(evidence.measured(o), excitation.samples()));
+        Simulator.Response run = new Simulator(excitation).run(assembly, false);
+        double[][] apart = new double[assembly.structure().bodies()][2 * omega.length];
+        for (int o = assembly.outputs().size() - 1; o >= 0; o--) {   // of two that read one body the first counts
+            Assembly.Output output = assembly.outputs().get(o);
+            if (output.reading() != Assembly.Reading.LINK_FORCE && output.reads().at().length == 1) {
+                apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]),
+                        assembly.structure().slowestMode().orElse(0) / BELOW);
             }
         }
         for (int l = 0; l < displacement.length; l++) {
-            double[] r = assembly.structure().stretch(l).of(moved, 2 * omega.length);
+            double[] r = run.stretch()[l].clone();
+            Spectra.add(r, assembly.structure().stretch(l).of(apart, r.length), 1);
             displacement[l] = excitation.fineSeries(r);
             velocity[l] = excitation.fineSeries(Spectra.timesJOmega(omega, r));
         }
+        return () -> {
+            double[][] all = new Simulator(excitation).accelerations(assembly);
+            for (int b = 0; b < all.length; b++) {
+                Spectra.add(all[b], Spectra.timesJOmega(omega, Spectra.timesJOmega(omega, apart[b])), 1);
+            }
+            return all;
+        };
+    }
+
+    /**
+     * How far the body that an output reads is from where a model has it, a spectrum [m]: what it reads beside that and is no noise.
+     *
+     * @param model what the model makes of it, by sample, in the output's unit. Not modified.
+     * @param lowest frequency below which what is integrated is the model's [Hz]
+     */
+    private static double[] apart(Evidence evidence, int o, Assembly.Output output, double[] model, double lowest) {
+        Excitation excitation = evidence.excitation();
+        int n = excitation.samples();
+        boolean[] valid = evidence.valid(o);
+        double[] measured = evidence.measured(o);
+        double level = IntStream.range(0, n).filter(i -> valid[i]).mapToDouble(i -> measured[i] - model[i]).average().orElse(0);
+        Taper ends = Taper.ends(n, EDGE);
+        double[] beside = new double[n];
+        Arrays.setAll(beside, i -> valid[i] ? (measured[i] - model[i] - level) * ends.weight(i) : 0);
+        int times = output.reading() == Assembly.Reading.ACCELERATION ? 2 : output.reading() == Assembly.Reading.VELOCITY ? 1 : 0;
+        double[] out = AboveNoise.integral(excitation, excitation.spectrum(beside), evidence.noise()[o], times);
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= (times == 0 ? 1 : above(excitation.omega()[i / 2] / (2 * Math.PI), lowest)) / output.reads().by()[0];
+        }
+        return out;
     }
 
     /** The output that reads the acceleration of a body without a gross fault. */
@@ -136,11 +171,15 @@ public final class Motion implements ModulatorSeries.Links {
         return Optional.empty();
     }
 
+    /** How much of what is measured at a frequency counts [1]. */
+    private static double above(double f, double crossover) {
+        return crossover == 0 ? 1 : 1 - 1 / (1 + Math.pow(f / crossover, 8));
+    }
+
     private static void blend(double[] model, double[] measured, double[] omega) {
         for (int k = 0; k < omega.length; k++) {
             double f = omega[k] / (2 * Math.PI);
-            double u = Math.pow(f / CROSSOVER, 8);
-            double weight = u / (1 + u) / (1 + Math.pow(f / TOP, 12));
+            double weight = above(f, CROSSOVER) / (1 + Math.pow(f / TOP, 12));
             for (int part = 2 * k; part < 2 * k + 2; part++) {
                 model[part] += weight * (measured[part] - model[part]);
             }
@@ -155,6 +194,11 @@ public final class Motion implements ModulatorSeries.Links {
     @Override
     public double[] velocity(int link) {
         return velocity[link];
+    }
+
+    /** Acceleration of each body [m/s²], a spectrum each. Worked out anew. */
+    public double[][] accelerations() {
+        return accelerations.get();
     }
 
     /** What the model's spring, dashpot and laws carry along the measured motion. Laws in it that something modulates are left out. */

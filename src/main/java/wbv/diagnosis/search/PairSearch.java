@@ -62,9 +62,12 @@ public final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
-        if (evidence.outputs().size() == 1) {   // every place explains everything
-            return likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true));
-        }
+        // To one output every place explains everything.
+        return evidence.outputs().size() == 1 ? likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true))
+                : byPlaces(single, leaders);
+    }
+
+    private Chosen byPlaces(Fitter.State single, List<Fitter.State> leaders) {
         Place own = Place.ofLast(single);
         TwoPlaces.Looked looked = places.looked(own);
         boolean blind = looked.locator().isBlindToTwo();
@@ -78,11 +81,18 @@ public final class PairSearch {
             return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> true));
         }
         List<Known.Ignoring> pairs = one ? List.of() : places.pairs(looked);
-        if (one || !blind && TwoPlaces.needless(own, alone, pairs)) {
-            return beside(single);
-        }
         // No form that a law may have there makes up for what shows elsewhere: that there is a second needs no evidence of its own.
-        boolean two = !blind && alone > places.scatter();
+        return one || !blind && TwoPlaces.needless(own, alone, pairs) ? beside(single)
+                : amongPairs(single, leaders, pairs, blind, !blind && alone > places.scatter());
+    }
+
+    /**
+     * The likelier of a single mechanism and of those at pairs of places.
+     *
+     * @param blind whether sensors are too few to tell pairs of places
+     * @param two   whether there is a second in any case
+     */
+    private Chosen amongPairs(Fitter.State single, List<Fitter.State> leaders, List<Known.Ignoring> pairs, boolean blind, boolean two) {
         Set<Place> near = NearPairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
         Optional<Chosen> apart = places.pair(pairs, leaders)
                 .map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> near.contains(place(hypothesis)))));

@@ -94,7 +94,7 @@ public final class PushedLaws {
 
     /** The laws that lead by themselves, beside each body. */
     private List<Supplier<Begun>> laws(List<Fitter.State> leaders) {
-        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Screening::isInLink).map(Hypothesis::claim)
+        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(LinkLaws::isInLink).map(Hypothesis::claim)
                 .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
         List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
                 .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();

@@ -1,12 +1,12 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import wbv.body.Structure;
-import wbv.body.law.Law;
+import wbv.body.Assembly;
+import wbv.body.LawAt;
+import wbv.body.Spectra;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
@@ -17,7 +17,6 @@ import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Whitening;
-import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
 
@@ -33,13 +32,12 @@ public final class Screening {
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
-    private final Motion motion;
+    private final LinkLaws laws;
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
     private final Optional<Simulator.Bends> bends;
     private final Lateness late;
-    private final ModulatorSeries modulators;
     private final PartialledOut left;
 
     /**
@@ -80,11 +78,10 @@ public final class Screening {
      * @param modulators along the motion
      */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
-        this.modulators = modulators;
         this.evidence = evidence;
         this.state = state;
         this.whitening = state.frame().whitening();
-        this.motion = motion;
+        this.laws = new LinkLaws(evidence, state.candidate().at(state.x()).structure(), motion, modulators);
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
         Simulator.Response there = simulator.run(state.candidate().at(state.x()), false);
@@ -165,9 +162,8 @@ public final class Screening {
      * @param values by number, in its unit. Not modified.
      */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (isInLink(hypothesis)) {
-            int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
-            return seen(linear.answer(link, force(hypothesis, link, values)));
+        if (LinkLaws.isInLink(hypothesis)) {
+            return direction(LinkLaws.link(hypothesis), laws.force(hypothesis, values));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false, bends).outputs();
@@ -181,38 +177,26 @@ public final class Screening {
         return seen(difference);
     }
 
-    /** Whether a hypothesis is laws in a link that are not linear. */
-    static boolean isInLink(Hypothesis hypothesis) {
-        return hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Addition.OfLink);
-    }
-
-    /**
-     * What the laws of a hypothesis carry over what the model carries in their link, root mean squares along the motion [1].
-     *
-     * @param hypothesis that is laws in a link
-     * @param values by number, in its unit. Not modified.
-     */
-    double share(Hypothesis hypothesis, double[] values) {
-        int link = ((Addition.OfLink) hypothesis.additions().get(0)).link();
-        double[] own = motion.load(link);
-        return Motion.rms(force(hypothesis, link, values), own.length) / Motion.rms(own, own.length);
-    }
-
-    /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
-    private double[] force(Hypothesis hypothesis, int link, double[] values) {
-        Structure structure = state.candidate().at(state.x()).structure();
-        double[] sum = new double[motion.displacement(link).length];
-        for (Law law : hypothesis.laws(values)) {
-            double[] own = law.series(motion.displacement(link), motion.velocity(link), structure.stiffness()[link],
-                    structure.damping()[link], evidence.excitation().fineStep(), modulators.of(law.modulator()));
-            Arrays.setAll(sum, i -> sum[i] + own[i]);
-        }
-        return sum;
-    }
-
     /** A change of the outputs as a change of the residual. */
     private double[] seen(double[][] change) {
         return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
+    }
+
+    /** The residual if the laws that the model has already made what they make along the motion as measured. A new array. */
+    double[] along() {
+        double[] out = state.residual();
+        Assembly fitted = state.candidate().at(state.x());
+        List<LawAt> own = LinkLaws.of(fitted);
+        if (!own.isEmpty()) {
+            Motion simulated = Motion.simulated(evidence, fitted);
+            own.forEach(at -> Spectra.add(out, direction(at.link(), laws.beyond(at, simulated)), 1));
+        }
+        return out;
+    }
+
+    /** Laws along the motion as measured. */
+    LinkLaws laws() {
+        return laws;
     }
 
     /**
@@ -222,6 +206,15 @@ public final class Screening {
      */
     public double[] direction(int link, double[] force) {
         return seen(linear.answer(link, force));
+    }
+
+    /**
+     * The same of a force on a body, or a moment.
+     *
+     * @param force spectrum of one [N] or [N m]. Not modified.
+     */
+    double[] directionOn(int body, double[] force) {
+        return seen(linear.answerOn(body, force));
     }
 
     /** What may follow is partialled out of directions by this. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
@@ -37,9 +38,9 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
      * @param most starts that are begun
-     * @param strong values of the hypothesis, in their units, of which the best is begun as well
+     * @param strong coordinates of the candidate that are begun as well, the model's numbers among them. Not modified.
      */
-    static Trial begun(Ground ground, Screening.Score score, double[] from, int most, List<double[]> strong) {
+    static Trial begun(Ground ground, Screening.Score score, double[] from, int most, Optional<double[]> strong) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
@@ -50,10 +51,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        List<double[]> large = strong.stream().map(values -> base.candidate().extended(base.x(), with, score.hypothesis(), values))
-                .toList();
         List<Fitter.State> begun = sorted(Stream.concat(begun(ground, score, starts, from, most, Arrays.equals(from, base.x())),
-                large.isEmpty() ? Stream.of() : begun(ground, score, large, from, 1, false)).toList());
+                strong.stream().map(x -> ground.fitter().fit(with, x, base.frame(), steps(score, false), Effort.ROUGH))).toList());
         return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 
@@ -64,10 +63,14 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         List<double[]> own = starts.stream().map(double[]::clone).toList();
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
         double without = near ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
-        int steps = score.hypothesis().runsFree() ? 1 : near ? 2 : Effort.OWN_STEPS;
+        int steps = steps(score, near);
         return best(ground, score.candidate(), own, without).stream().limit(most)
                 .map(first -> near ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ROUGH)
                         : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, Effort.ROUGH));
+    }
+
+    private static int steps(Screening.Score score, boolean near) {
+        return score.hypothesis().runsFree() ? 1 : near ? 2 : Effort.OWN_STEPS;
     }
 
     /**
