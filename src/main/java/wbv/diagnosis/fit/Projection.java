@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.algebra.SymmetricFactor;
 
@@ -16,8 +17,18 @@ public final class Projection {
     private final SymmetricFactor factor;
 
     Projection(Fitter.State state) {
-        Nuisances nuisances = state.frame().nuisances();
-        free = free(state);
+        this(state.frame().nuisances(), free(state));
+    }
+
+    /** Where none stands at a bound, whatever the state: all that its candidate asks. */
+    public static Projection ofAll(Fitter.State state) {
+        Nuisances all = state.frame().nuisances();
+        boolean[] off = all.off(state.candidate());
+        return new Projection(all, IntStream.range(0, off.length).filter(i -> !off[i]).toArray());
+    }
+
+    private Projection(Nuisances nuisances, int[] free) {
+        this.free = free;
         columns = nuisances.columns().only(free);
         factor = nuisances.squares().factor(free);
     }

@@ -182,9 +182,12 @@ public final class Screening {
         return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
-    /** The residual if the laws that the model has already made what they make along the motion as measured. A new array. */
+    /**
+     * The residual, with what sensors' errors explain, if the laws that the model has already made what they make along the motion as
+     * measured. A new array.
+     */
     double[] along() {
-        double[] out = state.residual();
+        double[] out = state.raw().clone();
         Assembly fitted = state.candidate().at(state.x());
         List<LawAt> own = LinkLaws.of(fitted);
         if (!own.isEmpty()) {
