@@ -6,16 +6,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Spectra;
 import wbv.body.Structure;
-import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Motion;
-import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
-import wbv.signal.ScalarProduct;
+import wbv.diagnosis.search.AlongMeasured.Followed;
 
 /**
  * Laws as strong as what was measured says, to start from. Screening sees a law as it would be if it were weak, beside a model that has
@@ -24,21 +22,14 @@ import wbv.signal.ScalarProduct;
  * <p>What a model lacks is, however strong, in proportion to the forces that it lacks along the motion that there was (Lippmann and
  * Schwinger, Physical Review 1950): {@code r + H (Δk x + Δc v - Δm a + φ(x, v)) = noise}, r being what a fit leaves, H the way of a
  * force to the outputs of the model as fitted, x and v the motion of a link and a that of a body as measured. So the law's size and the
- * model's numbers beside it follow from one linear problem, as near as the motion is known. The sensors' errors follow too: those that were
- * found beside a model that lacks a law make up for what they can of it.
+ * model's numbers beside it follow from one linear problem, as near as the motion is known.
  */
 final class MeasuredStarts {
 
     private final Screening screening;
     private final Fitter.State base;
     private final Structure structure;
-    private final Projection errors;
-    /** What each of the model's numbers does along the motion by all that it is, by coordinate; to first order what is no factor. */
-    private final Followed[] carried;
-    /** Their products. */
-    private final double[][] products;
-    /** What is left along the motion. */
-    private final Followed left;
+    private final AlongMeasured along;
 
     /**
      * Along the motion at a fit.
@@ -49,56 +40,7 @@ final class MeasuredStarts {
         this.screening = screening;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
-        this.errors = Projection.ofAll(base);
-        // What is driven has no masses, and moves as it was measured.
-        double[][] accelerations = structure.held() ? new double[0][] : motion.accelerations();
-        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion, accelerations)))
-                .toArray(Followed[]::new);
-        this.products = Arrays.stream(carried).map(one -> Arrays.stream(carried).mapToDouble(one::product).toArray())
-                .toArray(double[][]::new);
-        this.left = followed(screening.along());
-    }
-
-    private double[] carried(int i, Motion motion, double[][] accelerations) {
-        Knob knob = base.candidate().knobs().get(i);
-        int at = knob.slot().at();
-        return knob.unit() != 0 || !knob.tied().isEmpty() ? base.slopes()[i] : switch (knob.slot().kind()) {
-            case STIFFNESS -> screening.direction(at, times(structure.stiffness()[at], motion.displacement(at)));
-            case DAMPING -> screening.direction(at, times(structure.damping()[at], motion.velocity(at)));
-            case MASS -> Arrays.stream(structure.sharing(at))
-                    .mapToObj(body -> screening.directionOn(body, times(-structure.mass()[at], accelerations[body])))
-                    .reduce(new double[base.slopes()[i].length], MeasuredStarts::sum);
-            default -> base.slopes()[i];
-        };
-    }
-
-    private static double[] times(double factor, double[] x) {
-        return Arrays.stream(x).map(value -> factor * value).toArray();
-    }
-
-    private static double[] sum(double[] x, double[] y) {
-        double[] out = x.clone();
-        Spectra.add(out, y, 1);
-        return out;
-    }
-
-    /**
-     * A change of the residual that the sensors' errors follow.
-     *
-     * @param vector whitened, as long as the residual
-     * @param own    its products with the errors [1]
-     * @param follow how the errors follow it [1]
-     */
-    private record Followed(double[] vector, double[] own, double[] follow) {
-
-        double product(Followed other) {
-            return ScalarProduct.of(vector, other.vector) - ScalarProduct.of(own, other.follow);
-        }
-    }
-
-    private Followed followed(double[] vector) {
-        double[] own = errors.products(vector);
-        return new Followed(vector, own, errors.errors(own));
+        this.along = new AlongMeasured(screening, base, motion);
     }
 
     /**
@@ -131,23 +73,29 @@ final class MeasuredStarts {
             return Optional.of(start.values());
         }
         int columns = start.columns().size();
-        Followed[] all = Arrays.copyOf(carried, carried.length + columns);
+        Followed[] own = along.carried();
+        Followed[] all = Arrays.copyOf(own, own.length + columns);
         for (int c = 0; c < columns; c++) {
             double[] only = new double[columns];
             only[c] = 1;
-            all[carried.length + c] = direction(hypothesis,
+            all[own.length + c] = direction(hypothesis,
                     screening.laws().force(hypothesis, Screening.sized(hypothesis, start, only)));
         }
-        double[] strengths = strengths(all, left);
-        double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, carried.length, all.length));
+        double[] strengths = along.strengths(all, along.left());
+        double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, own.length, all.length));
         return IntStream.range(0, values.length).allMatch(i -> {
             Hypothesis.Number number = hypothesis.numbers().get(i);
             return values[i] >= number.low() && values[i] <= number.high();
         }) ? Optional.of(values) : Optional.empty();
     }
 
+    /** What is left beside a law. A new array. */
+    private double[] beyond(Hypothesis hypothesis, double[] law) {
+        return AlongMeasured.sum(along.left().vector(), screening.direction(LinkLaws.link(hypothesis), law));
+    }
+
     private Followed direction(Hypothesis hypothesis, double[] force) {
-        return followed(screening.direction(LinkLaws.link(hypothesis), force));
+        return along.followed(screening.direction(LinkLaws.link(hypothesis), force));
     }
 
     /**
@@ -172,13 +120,14 @@ final class MeasuredStarts {
 
     /** How far the law's free numbers go beside the model's, those that are factors by logarithms. */
     private double[] step(Hypothesis hypothesis, Solved from, int[] free) {
-        Followed[] all = Arrays.copyOf(beside(hypothesis, from.values(), from.law()), carried.length + free.length);
+        Followed[] own = beside(hypothesis, from.values(), from.law());
+        Followed[] all = Arrays.copyOf(own, own.length + free.length);
         for (int i = 0; i < free.length; i++) {
             double[] moved = moved(hypothesis, from.values(), new int[] {free[i]}, new double[] {Effort.DIFFERENCE}, 1);
-            all[carried.length + i] = direction(hypothesis, slope(from.law(), screening.laws().force(hypothesis, moved)));
+            all[own.length + i] = direction(hypothesis, slope(from.law(), screening.laws().force(hypothesis, moved)));
         }
-        double[] strengths = strengths(all, followed(sum(left.vector(), direction(hypothesis, from.law()).vector())));
-        return Arrays.copyOfRange(strengths, carried.length, all.length);
+        double[] strengths = along.strengths(all, along.followed(beyond(hypothesis, from.law())));
+        return Arrays.copyOfRange(strengths, own.length, all.length);
     }
 
     /** Values of a law with some of its numbers moved, within their bounds. */
@@ -204,7 +153,7 @@ final class MeasuredStarts {
         int link = LinkLaws.link(hypothesis);
         double stiffness = structure.stiffness()[link];
         double damping = structure.damping()[link];
-        Followed[] all = carried.clone();
+        Followed[] all = along.carried();
         for (int i = 0; i < all.length; i++) {
             Knob knob = base.candidate().knobs().get(i);
             if (knob.isOfLink() && knob.slot().at() == link) {
@@ -212,7 +161,7 @@ final class MeasuredStarts {
                 double[] more = slope(law, screening.laws().force(hypothesis, values,
                         spring ? (1 + Effort.DIFFERENCE) * stiffness : stiffness, spring ? damping : (1 + Effort.DIFFERENCE) * damping));
                 all[i] = Arrays.stream(more).allMatch(force -> force == 0) ? all[i]
-                        : followed(sum(all[i].vector(), screening.direction(link, more)));
+                        : along.followed(AlongMeasured.sum(all[i].vector(), screening.direction(link, more)));
             }
         }
         return all;
@@ -222,14 +171,14 @@ final class MeasuredStarts {
     private Solved solved(Candidate with, Hypothesis hypothesis, double[] values) {
         double[] law = screening.laws().force(hypothesis, values);
         Followed[] all = beside(hypothesis, values, law);
-        double[] rest = sum(left.vector(), direction(hypothesis, law).vector());
-        double[] strengths = strengths(all, followed(rest));
+        double[] rest = beyond(hypothesis, law);
+        double[] strengths = along.strengths(all, along.followed(rest));
         for (int i = 0; i < all.length; i++) {
             Spectra.add(rest, all[i].vector(), strengths[i]);
         }
-        Followed beyond = followed(rest);
+        Followed still = along.followed(rest);
         double[] x = base.candidate().extended(base.x(), with, hypothesis, values);
-        double cost = beyond.product(beyond);
+        double cost = still.product(still);
         for (int i = 0; i < all.length; i++) {
             Knob knob = base.candidate().knobs().get(i);
             double value = knob.unit() == 0 ? knob.value(x[i]) * (1 + strengths[i]) : knob.value(x[i] + strengths[i]);
@@ -237,24 +186,5 @@ final class MeasuredStarts {
             cost += Math.pow(x[i] / knob.deviation(), 2);
         }
         return new Solved(values, law, x, cost);
-    }
-
-    /** How strong some directions are that leave least of a residual, those of the model's numbers first, of which something is known [1]. */
-    private double[] strengths(Followed[] directions, Followed residual) {
-        double[][] gram = new double[directions.length][directions.length];
-        double[] gradient = Arrays.stream(directions).mapToDouble(residual::product).toArray();
-        for (int i = 0; i < directions.length; i++) {
-            for (int j = 0; j <= i; j++) {
-                boolean known = i < carried.length && directions[i] == carried[i] && directions[j] == carried[j];
-                gram[i][j] = known ? products[i][j] : directions[i].product(directions[j]);
-                gram[j][i] = gram[i][j];
-            }
-        }
-        for (int i = 0; i < carried.length; i++) {
-            double deviation = base.candidate().knobs().get(i).deviation();
-            gram[i][i] += 1 / (deviation * deviation);
-            gradient[i] += base.x()[i] / (deviation * deviation);
-        }
-        return Arrays.stream(DampedEquations.solve(gram, gradient)).map(s -> -s).toArray();
     }
 }
