@@ -55,7 +55,7 @@ final class ForceSign {
 
     private Optional<Turned> turned() {
         Model model = evidence.model();
-        Motion motion = new Motion(evidence, model.assembly());
+        Motion motion = Motion.measured(evidence, model.assembly());
         List<Channel> draining = new ArrayList<>(
                 model.inputs().stream().filter(input -> drains(input, evidence)).map(Model.Input::sensor).toList());
         IntStream.range(0, model.links().size()).filter(l -> drains(l, evidence, motion))

@@ -77,7 +77,7 @@ final class Imitations {
      */
     public Optional<Weighed> in(Fitter.State base) {
         Fitter.State fitted = search.fitter().lookWithSlopes(base.candidate(), base.x(), base.frame());
-        Motion motion = new Motion(evidence, fitted.candidate().at(fitted.x()));
+        Motion motion = Motion.measured(evidence, fitted.candidate().at(fitted.x()));
         List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
         double price = price(all);
         // Where no spring may have another stiffness, none imitates anything.

@@ -41,7 +41,7 @@ class DeviceFaultsTest {
 
     private static List<Hypothesis> hypotheses(Evidence evidence, Candidate baseline) {
         Assembly given = baseline.at(baseline.start());
-        return Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
+        return Library.standard().hypotheses(FittedScene.of(evidence, given, Motion.measured(evidence, given)));
     }
 
     @Tag("slow")

@@ -41,7 +41,8 @@ class StandingTest {
         Candidate baseline = Baseline.of(evidence);
         base = new Fitter(evidence).look(baseline, baseline.start(), evidence.fit());
         all = Library.standard()
-                .hypotheses(FittedScene.of(evidence, baseline.at(baseline.start()), new Motion(evidence, baseline.at(baseline.start()))));
+                .hypotheses(
+                        FittedScene.of(evidence, baseline.at(baseline.start()), Motion.measured(evidence, baseline.at(baseline.start()))));
     }
 
     /** A fit with a mechanism that leaves so much. @param at which hypothesis of the library */

@@ -46,7 +46,7 @@ class SwingTest {
         Evidence evidence = evidence(concealed(857));
         Candidate baseline = Baseline.of(evidence);
         Assembly given = baseline.at(baseline.start());
-        List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
+        List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, Motion.measured(evidence, given)));
         assertTrue(drive(all, "coupling.axis@seat-torso[x]") instanceof Drive.UpperSwings swings
                 && swings.measured().toString().equals("seat.acc.x") && swings.rate().toString().equals("platform.gyr.y"));
         assertTrue(drive(all, "coupling.axis@torso-head[y]") instanceof Drive.LowerSwings swings
@@ -67,7 +67,7 @@ class SwingTest {
         Evidence evidence = new Evidence(ModelFile.parse(made.model(), "model.json"), without);
         Candidate baseline = Baseline.of(evidence);
         Assembly given = baseline.at(baseline.start());
-        List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
+        List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, Motion.measured(evidence, given)));
         assertTrue(drive(all, "coupling.axis@pelvis-torso[x]") instanceof Drive.CrossAxis);
         assertTrue(all.stream().noneMatch(hypothesis -> hypothesis.name().equals("coupling.axis@platform-pelvis[x]")),
                 "the floor's own motion across is not known");

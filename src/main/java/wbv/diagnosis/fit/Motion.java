@@ -1,32 +1,30 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.Collections;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Spectra;
+import wbv.body.Structure;
 import wbv.body.number.Modulator;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
+import wbv.body.simulate.Stroke;
 import wbv.diagnosis.measured.AboveNoise;
 import wbv.signal.Taper;
 
 /**
- * Relative motion of the links, as measured or as a model moves. As measured it comes from the accelerations of both ends over -ω² above
- * 1 Hz; below, where noise would drown it, and where an end is not measured, from the model. On a rig, of any frequency, it is the model's
- * but for what sensors show above their noise.
+ * Relative motion of the links, as measured or as a model moves. As measured it is the model's but for what sensors show above their noise
+ * that the bodies do otherwise.
  *
  * <p>Good to rank laws, not to fit them: with the measured motion in it a link predicts its own channel, whatever its stiffness.
  */
 public final class Motion implements ModulatorSeries.Links {
 
-    private static final double CROSSOVER = 1;
-    private static final double TOP = 18;
-    private static final double BOTTOM = 0.15;
-    /** Times that the slowest mode of a rig is above that: as often as a sitter's. Far below a mode a model knows best how little moves. */
+    /** Times that the slowest mode is above what is integrated, an effort. Far below a mode a model knows best how little moves. */
     private static final double BELOW = 5;
     /** Part of a series at either end over which what shows beside a model comes and goes, an effort: a jump is slow motion, integrated. */
     private static final double EDGE = 1.0 / 16;
@@ -52,89 +50,58 @@ public final class Motion implements ModulatorSeries.Links {
      */
     public static Motion simulated(Evidence evidence, Assembly assembly) {
         Excitation excitation = evidence.excitation();
-        double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
-        return new Motion(assembly, excitation.fineStep(), Arrays.stream(stretch).map(excitation::fineSeries).toArray(double[][]::new),
-                Arrays.stream(stretch).map(r -> excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), r)))
-                        .toArray(double[][]::new),
+        return of(evidence, assembly, new Simulator(excitation).run(assembly, false).stretch(),
                 () -> new Simulator(excitation).accelerations(assembly));
     }
 
-    /** Works out the motion of all links, which takes a run of the assembly where a link's end is not measured. */
-    public Motion(Evidence evidence, Assembly assembly) {
-        this.assembly = assembly;
-        Excitation excitation = evidence.excitation();
-        step = excitation.fineStep();
-        double[] omega = excitation.omega();
-        int links = assembly.structure().links();
-        displacement = new double[links][];
-        velocity = new double[links][];
-        if (evidence.onRig()) {
-            accelerations = onRig(evidence, assembly);
-            return;
-        }
-        double[][] modelled = new Simulator(excitation).accelerations(assembly);
-        double[][] blended = new double[assembly.structure().bodies()][];
-        for (int b = 0; b < blended.length; b++) {
-            int body = b;
-            blended[b] = modelled[b].clone();
-            measuring(assembly, body).ifPresent(output -> blend(blended[body], excitation.spectrum(evidence.measured(output)), omega));
-        }
-        accelerations = () -> blended;
-        double[][] lifts = new Simulator(excitation).lifts(assembly);
-        for (int l = 0; l < links; l++) {
-            double[] relative = excitation.stretching(assembly.structure(), l, blended);
-            for (int i = 0; i < lifts[l].length; i++) {
-                relative[i] += omega[i / 2] * omega[i / 2] * lifts[l][i];   // less the acceleration with which its lower end is lifted
-            }
-            double[] r = new double[2 * omega.length];
-            double[] v = new double[2 * omega.length];
-            for (int k = 1; k < omega.length; k++) {
-                if (omega[k] > 2 * Math.PI * BOTTOM) {
-                    double w2 = omega[k] * omega[k];
-                    r[2 * k] = -relative[2 * k] / w2;
-                    r[2 * k + 1] = -relative[2 * k + 1] / w2;
-                    v[2 * k] = -omega[k] * r[2 * k + 1];
-                    v[2 * k + 1] = omega[k] * r[2 * k];
-                }
-            }
-            displacement[l] = excitation.fineSeries(r);
-            velocity[l] = excitation.fineSeries(v);
-        }
+    /** The motion of all links as measured, which takes a run of the assembly but where links are driven: their stroke was measured. */
+    public static Motion measured(Evidence evidence, Assembly assembly) {
+        return evidence.excitation().stroke().map(stroke -> driven(evidence, assembly, stroke)).orElseGet(() -> beside(evidence, assembly));
     }
 
-    /** The stroke as measured; else as the model moves, and beside it what shows above their noise that the bodies do otherwise. */
-    private Supplier<double[][]> onRig(Evidence evidence, Assembly assembly) {
+    private static Motion driven(Evidence evidence, Assembly assembly, Stroke stroke) {
+        double[] displacement = Arrays.stream(stroke.position()).map(x -> -x).toArray();
+        double[] velocity = Arrays.stream(stroke.velocity()).map(v -> -v).toArray();
+        int links = assembly.structure().links();
+        return new Motion(assembly, evidence.excitation().fineStep(), Collections.nCopies(links, displacement).toArray(double[][]::new),
+                Collections.nCopies(links, velocity).toArray(double[][]::new),
+                () -> new Simulator(evidence.excitation()).accelerations(assembly));
+    }
+
+    /** As the model moves, and beside it what shows above their noise that the bodies do otherwise. */
+    private static Motion beside(Evidence evidence, Assembly assembly) {
         Excitation excitation = evidence.excitation();
         double[] omega = excitation.omega();
-        for (int l = 0; l < displacement.length && excitation.stroke().isPresent(); l++) {
-            displacement[l] = Arrays.stream(excitation.stroke().get().position()).map(x -> -x).toArray();
-            velocity[l] = Arrays.stream(excitation.stroke().get().velocity()).map(v -> -v).toArray();
-        }
-        if (excitation.stroke().isPresent()) {
-            return () -> new Simulator(excitation).accelerations(assembly);
-        }
+        Structure structure = assembly.structure();
         Simulator.Response run = new Simulator(excitation).run(assembly, false);
-        double[][] apart = new double[assembly.structure().bodies()][2 * omega.length];
+        double[][] apart = new double[structure.bodies()][2 * omega.length];
         for (int o = assembly.outputs().size() - 1; o >= 0; o--) {   // of two that read one body the first counts
             Assembly.Output output = assembly.outputs().get(o);
             if (output.reading() != Assembly.Reading.LINK_FORCE && output.reads().at().length == 1) {
                 apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]),
-                        assembly.structure().slowestMode().orElse(0) / BELOW);
+                        structure.slowestMode().orElse(0) / BELOW);
             }
         }
-        for (int l = 0; l < displacement.length; l++) {
-            double[] r = run.stretch()[l].clone();
-            Spectra.add(r, assembly.structure().stretch(l).of(apart, r.length), 1);
-            displacement[l] = excitation.fineSeries(r);
-            velocity[l] = excitation.fineSeries(Spectra.timesJOmega(omega, r));
+        double[][] stretch = Arrays.stream(run.stretch()).map(double[]::clone).toArray(double[][]::new);
+        for (int l = 0; l < stretch.length; l++) {
+            Spectra.add(stretch[l], structure.stretch(l).of(apart, stretch[l].length), 1);
         }
-        return () -> {
+        return of(evidence, assembly, stretch, () -> {
             double[][] all = new Simulator(excitation).accelerations(assembly);
             for (int b = 0; b < all.length; b++) {
                 Spectra.add(all[b], Spectra.timesJOmega(omega, Spectra.timesJOmega(omega, apart[b])), 1);
             }
             return all;
-        };
+        });
+    }
+
+    /** @param stretch of each link, a spectrum [m]. Not modified. */
+    private static Motion of(Evidence evidence, Assembly assembly, double[][] stretch, Supplier<double[][]> accelerations) {
+        Excitation excitation = evidence.excitation();
+        return new Motion(assembly, excitation.fineStep(), Arrays.stream(stretch).map(excitation::fineSeries).toArray(double[][]::new),
+                Arrays.stream(stretch).map(r -> excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), r)))
+                        .toArray(double[][]::new),
+                accelerations);
     }
 
     /**
@@ -160,30 +127,9 @@ public final class Motion implements ModulatorSeries.Links {
         return out;
     }
 
-    /** The output that reads the acceleration of a body without a gross fault. */
-    private static Optional<Integer> measuring(Assembly assembly, int body) {
-        for (int o = 0; o < assembly.outputs().size(); o++) {
-            Assembly.Output output = assembly.outputs().get(o);
-            if (output.readsAcceleration(body)) {
-                return Optional.of(o);
-            }
-        }
-        return Optional.empty();
-    }
-
     /** How much of what is measured at a frequency counts [1]. */
     private static double above(double f, double crossover) {
         return crossover == 0 ? 1 : 1 - 1 / (1 + Math.pow(f / crossover, 8));
-    }
-
-    private static void blend(double[] model, double[] measured, double[] omega) {
-        for (int k = 0; k < omega.length; k++) {
-            double f = omega[k] / (2 * Math.PI);
-            double weight = above(f, CROSSOVER) / (1 + Math.pow(f / TOP, 12));
-            for (int part = 2 * k; part < 2 * k + 2; part++) {
-                model[part] += weight * (measured[part] - model[part]);
-            }
-        }
     }
 
     @Override

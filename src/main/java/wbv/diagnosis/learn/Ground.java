@@ -28,7 +28,7 @@ record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator>
      * @param x the model's numbers
      */
     static Ground asMeasured(Evidence evidence, Candidate on, double[] x, int begun) {
-        return new Ground(on, x, new Motion(evidence, on.at(x)), begun, Set.of());
+        return new Ground(on, x, Motion.measured(evidence, on.at(x)), begun, Set.of());
     }
 
     /**
@@ -49,7 +49,7 @@ record Ground(Candidate on, double[] x, Motion motion, int begun, Set<Modulator>
     static Ground beside(Evidence evidence, Fitter.State base, Fitter.State fit) {
         Assembly assembly = fit.candidate().at(fit.x());
         boolean told = fit.candidate().added().isEmpty() || Refinement.explainsNearlyAll(base, fit);
-        return new Ground(fit.candidate(), fit.x(), told ? Motion.simulated(evidence, assembly) : new Motion(evidence, assembly), 0,
+        return new Ground(fit.candidate(), fit.x(), told ? Motion.simulated(evidence, assembly) : Motion.measured(evidence, assembly), 0,
                 Set.of());
     }
 }

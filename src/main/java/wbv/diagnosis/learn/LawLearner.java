@@ -159,7 +159,7 @@ public final class LawLearner {
     /** A sentence whose modulators have limits, one after the other where that is better. */
     private List<Sentence> limited(Sentence sentence, int link) {
         Assembly assembly = base.candidate().at(base.x());
-        Motion motion = new Motion(evidence, assembly);
+        Motion motion = Motion.measured(evidence, assembly);
         Grammar grammar = new Grammar(evidence, assembly, motion, new ModulatorSeries(evidence.excitation(), motion), link);
         List<Sentence> out = new ArrayList<>();
         Sentence best = sentence;

@@ -46,7 +46,7 @@ public final class OddSensor {
 
     /** The best with that clock off: the sensor's, or the input's where there is no more than one of either and the sign says so. */
     private Optional<Fitter.State> late(Fitter.State base, int output) {
-        Motion motion = new Motion(evidence, base.candidate().at(base.x()));
+        Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
         return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
                 .filter(h -> isLate(h, output)).map(h -> late(base, h, output)).filter(fit -> !fit.failed() && !Search.extreme(fit))
                 .min(Comparator.comparingDouble(Fitter.State::reduced));

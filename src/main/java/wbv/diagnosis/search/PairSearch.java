@@ -53,7 +53,8 @@ public final class PairSearch {
         this.places = new TwoPlaces(evidence, search, base, progress);
         this.firsts = new FirstMechanisms(evidence, refinement, base, places);
         this.all = evidence.library()
-                .hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
+                .hypotheses(
+                        FittedScene.of(evidence, base.candidate().at(base.x()), Motion.measured(evidence, base.candidate().at(base.x()))));
     }
 
     /**

@@ -123,7 +123,7 @@ public final class Search {
     private List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, Predicate<Screening.Score> open) {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
-        Motion motion = new Motion(evidence, fitted);
+        Motion motion = Motion.measured(evidence, fitted);
         List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
         // In no form twice at one place.
         Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
@@ -174,14 +174,14 @@ public final class Search {
     /** Those of the library at a fit. */
     List<Hypothesis> hypotheses(Fitter.State base) {
         Assembly fitted = base.candidate().at(base.x());
-        return evidence.library().hypotheses(FittedScene.of(evidence, fitted, new Motion(evidence, fitted)));
+        return evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted)));
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
     private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
         double[] lines = SpectralLines.of(base.residual(), evidence.fit());
         Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
-        return unbent.map(it -> FittedScene.of(evidence, it, new Motion(evidence, it), lines))
+        return unbent.map(it -> FittedScene.of(evidence, it, Motion.measured(evidence, it), lines))
                 .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
     }
 

@@ -29,7 +29,7 @@ class DescentTest {
         Candidate plain = Baseline.of(evidence);
         Fitter.Frame frame = fitter.frame(plain, plain.start(), evidence.fit());
         Assembly given = plain.at(plain.start());
-        Hypothesis change = evidence.library().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given))).stream()
+        Hypothesis change = evidence.library().hypotheses(FittedScene.of(evidence, given, Motion.measured(evidence, given))).stream()
                 .filter(hypothesis -> hypothesis.mechanism().equals("drift.step")).findFirst().orElseThrow();
         Candidate with = plain.with(change);
         for (double moment = 9; moment < 16; moment += 0.25) {

@@ -294,7 +294,7 @@ class PicturesTest {
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
         List<Hypothesis> bank = Library.standard()
-                .hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+                .hypotheses(FittedScene.of(trial.evidence(), assembly, Motion.measured(trial.evidence(), assembly),
                         SpectralLines.of(base.residual(), trial.evidence().fit())));
         Set<String> mechanisms = new TreeSet<>();
         for (Hypothesis hypothesis : bank) {

@@ -31,7 +31,7 @@ class MeasuredStartsTest {
 
     private record Strong(Evidence evidence, Fitter.State base, double typical) {
         Motion motion() {
-            return new Motion(evidence, base.candidate().at(base.x()));
+            return Motion.measured(evidence, base.candidate().at(base.x()));
         }
     }
 

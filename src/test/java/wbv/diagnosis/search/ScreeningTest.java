@@ -106,7 +106,7 @@ class ScreeningTest {
         for (int seed = 0; seed < RECORDINGS; seed++) {
             Evidence evidence = new Evidence(chain(), recording(new Random(900 + seed)), OptionalDouble.of(NOISE), OptionalDouble.empty());
             Fitter.State base = new Search(evidence, (step, share) -> {}).base(Baseline.of(evidence));
-            Motion motion = new Motion(evidence, base.candidate().at(base.x()));
+            Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
             for (Screening.Score score : new Screening(evidence, base, motion).scores(asked)) {
                 gains[asked.indexOf(score.hypothesis())][seed] = score.gain();
             }

@@ -71,7 +71,7 @@ class WhereaboutsTest {
     /** Every hypothesis of the library. */
     private static List<Hypothesis> bank(Asked asked) {
         Assembly fitted = asked.baseline().at(asked.base().x());
-        return Library.standard().hypotheses(FittedScene.of(asked.evidence(), fitted, new Motion(asked.evidence(), fitted)));
+        return Library.standard().hypotheses(FittedScene.of(asked.evidence(), fitted, Motion.measured(asked.evidence(), fitted)));
     }
 
     /** A friction of which most of the mismatch comes leaves few places where anything could do the same. */
