@@ -1,5 +1,6 @@
 package wbv.body.simulate;
 
+import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.SensorFault;
 import wbv.body.Spectra;
@@ -7,6 +8,9 @@ import wbv.body.number.Numbers;
 
 /** What a faulty sensor makes of the true reading, and of its derivatives. */
 final class Sensing {
+
+    /** Part of the power of a line that a filter lets through at least where what was there can be told [1]. */
+    private static final double LEAST = 1e-6;
 
     private final Excitation excitation;
 
@@ -100,6 +104,32 @@ final class Sensing {
             }
         }
         return out;
+    }
+
+    /**
+     * The true reading of which a fault made another: what came on top taken off, and its filter undone, but for lines that it does not
+     * let through. Empty where no filter says it, as of a reading that was clipped.
+     *
+     * @param read spectrum of the faulty reading. Not modified.
+     */
+    Optional<double[]> undone(SensorFault fault, double[] read) {
+        boolean filters = fault instanceof SensorFault.Late late && !late.varies() || fault instanceof SensorFault.MountResonance
+                || fault instanceof SensorFault.AcCoupling || fault instanceof SensorFault.Gain || fault instanceof SensorFault.Bias
+                || readsOthers(fault);
+        if (!filters) {
+            return Optional.empty();
+        }
+        double[] out = read.clone();
+        Spectra.add(out, add(fault, new double[read.length]), -1);
+        double[] filter = filter(fault);
+        for (int k = 0; k < out.length; k += 2) {
+            double size = filter[k] * filter[k] + filter[k + 1] * filter[k + 1];
+            double re = size > LEAST ? (out[k] * filter[k] + out[k + 1] * filter[k + 1]) / size : 0;
+            double im = size > LEAST ? (out[k + 1] * filter[k] - out[k] * filter[k + 1]) / size : 0;
+            out[k] = re;
+            out[k + 1] = im;
+        }
+        return Optional.of(out);
     }
 
     private double[] shifted(SensorFault fault, double[] values, double[] reading) {

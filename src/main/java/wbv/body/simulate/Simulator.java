@@ -142,7 +142,7 @@ public final class Simulator {
     }
 
     /** How far each link's lower end is lifted beside the motion of the bodies [m], as spectra; empty where nothing lifts it. */
-    public double[][] lifts(Assembly assembly) {
+    private double[][] lifts(Assembly assembly) {
         DriveForces drives = new DriveForces(excitation, assembly, link -> new double[0]);
         double[][] out = new double[assembly.structure().links()][0];
         for (int d = 0; d < assembly.drives().size(); d++) {
@@ -154,6 +154,16 @@ public final class Simulator {
             }
         }
         return out;
+    }
+
+    /**
+     * The true reading of which a sensor's fault made another, as a spectrum in its own unit. Empty where that cannot be told, as of a
+     * reading that was clipped.
+     *
+     * @param read spectrum of the faulty reading. Not modified.
+     */
+    public Optional<double[]> undone(SensorFault fault, double[] read) {
+        return new Sensing(excitation).undone(fault, read);
     }
 
     /**

@@ -1,9 +1,9 @@
 package wbv.diagnosis.fit;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.function.Supplier;
-import java.util.stream.IntStream;
+import java.util.List;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Spectra;
@@ -33,10 +33,10 @@ public final class Motion implements ModulatorSeries.Links {
     private final double step;
     private final double[][] displacement;
     private final double[][] velocity;
-    /** Of each body, as a spectrum [m/s²]. */
-    private final Supplier<double[][]> accelerations;
+    /** Of each body, as a spectrum [m/s²]; none of what is driven, which has no masses. */
+    private final double[][] accelerations;
 
-    private Motion(Assembly assembly, double step, double[][] displacement, double[][] velocity, Supplier<double[][]> accelerations) {
+    private Motion(Assembly assembly, double step, double[][] displacement, double[][] velocity, double[][] accelerations) {
         this.accelerations = accelerations;
         this.assembly = assembly;
         this.step = step;
@@ -49,9 +49,22 @@ public final class Motion implements ModulatorSeries.Links {
      * nearly all of them.
      */
     public static Motion simulated(Evidence evidence, Assembly assembly) {
-        Excitation excitation = evidence.excitation();
-        return of(evidence, assembly, new Simulator(excitation).run(assembly, false).stretch(),
-                () -> new Simulator(excitation).accelerations(assembly));
+        Simulator.Response run = run(evidence, assembly);
+        return of(evidence, assembly, run.stretch(), assembly.structure().held() ? new double[0][] : accelerations(assembly, run));
+    }
+
+    /** A run whose last outputs are the accelerations of all bodies. */
+    private static Simulator.Response run(Evidence evidence, Assembly assembly) {
+        List<Assembly.Output> all = new ArrayList<>(assembly.outputs());
+        for (int b = 0; b < assembly.structure().bodies() && !assembly.structure().held(); b++) {
+            all.add(new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of()));
+        }
+        return new Simulator(evidence.excitation()).run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false);
+    }
+
+    private static double[][] accelerations(Assembly assembly, Simulator.Response run) {
+        int own = assembly.outputs().size();
+        return Arrays.copyOfRange(run.outputs(), own, own + assembly.structure().bodies());
     }
 
     /** The motion of all links as measured, which takes a run of the assembly but where links are driven: their stroke was measured. */
@@ -64,8 +77,7 @@ public final class Motion implements ModulatorSeries.Links {
         double[] velocity = Arrays.stream(stroke.velocity()).map(v -> -v).toArray();
         int links = assembly.structure().links();
         return new Motion(assembly, evidence.excitation().fineStep(), Collections.nCopies(links, displacement).toArray(double[][]::new),
-                Collections.nCopies(links, velocity).toArray(double[][]::new),
-                () -> new Simulator(evidence.excitation()).accelerations(assembly));
+                Collections.nCopies(links, velocity).toArray(double[][]::new), new double[0][]);
     }
 
     /** As the model moves, and beside it what shows above their noise that the bodies do otherwise. */
@@ -73,12 +85,12 @@ public final class Motion implements ModulatorSeries.Links {
         Excitation excitation = evidence.excitation();
         double[] omega = excitation.omega();
         Structure structure = assembly.structure();
-        Simulator.Response run = new Simulator(excitation).run(assembly, false);
+        Simulator.Response run = run(evidence, assembly);
         double[][] apart = new double[structure.bodies()][2 * omega.length];
         for (int o = assembly.outputs().size() - 1; o >= 0; o--) {   // of two that read one body the first counts
             Assembly.Output output = assembly.outputs().get(o);
             if (output.reading() != Assembly.Reading.LINK_FORCE && output.reads().at().length == 1) {
-                apart[output.reads().at()[0]] = apart(evidence, o, output, excitation.series(run.outputs()[o]),
+                apart[output.reads().at()[0]] = apart(evidence, o, output, run.outputs()[o],
                         structure.slowestMode().orElse(0) / BELOW);
             }
         }
@@ -86,17 +98,15 @@ public final class Motion implements ModulatorSeries.Links {
         for (int l = 0; l < stretch.length; l++) {
             Spectra.add(stretch[l], structure.stretch(l).of(apart, stretch[l].length), 1);
         }
-        return of(evidence, assembly, stretch, () -> {
-            double[][] all = new Simulator(excitation).accelerations(assembly);
-            for (int b = 0; b < all.length; b++) {
-                Spectra.add(all[b], Spectra.timesJOmega(omega, Spectra.timesJOmega(omega, apart[b])), 1);
-            }
-            return all;
-        });
+        double[][] all = Arrays.stream(accelerations(assembly, run)).map(double[]::clone).toArray(double[][]::new);
+        for (int b = 0; b < all.length; b++) {
+            Spectra.add(all[b], Spectra.timesJOmega(omega, Spectra.timesJOmega(omega, apart[b])), 1);
+        }
+        return of(evidence, assembly, stretch, all);
     }
 
     /** @param stretch of each link, a spectrum [m]. Not modified. */
-    private static Motion of(Evidence evidence, Assembly assembly, double[][] stretch, Supplier<double[][]> accelerations) {
+    private static Motion of(Evidence evidence, Assembly assembly, double[][] stretch, double[][] accelerations) {
         Excitation excitation = evidence.excitation();
         return new Motion(assembly, excitation.fineStep(), Arrays.stream(stretch).map(excitation::fineSeries).toArray(double[][]::new),
                 Arrays.stream(stretch).map(r -> excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), r)))
@@ -107,18 +117,14 @@ public final class Motion implements ModulatorSeries.Links {
     /**
      * How far the body that an output reads is from where a model has it, a spectrum [m]: what it reads beside that and is no noise.
      *
-     * @param model what the model makes of it, by sample, in the output's unit. Not modified.
+     * @param model what the model makes of it, a spectrum in the output's unit. Not modified.
      * @param lowest frequency below which what is integrated is the model's [Hz]
      */
     private static double[] apart(Evidence evidence, int o, Assembly.Output output, double[] model, double lowest) {
         Excitation excitation = evidence.excitation();
-        int n = excitation.samples();
-        boolean[] valid = evidence.valid(o);
-        double[] measured = evidence.measured(o);
-        double level = IntStream.range(0, n).filter(i -> valid[i]).mapToDouble(i -> measured[i] - model[i]).average().orElse(0);
-        Taper ends = Taper.ends(n, EDGE);
-        double[] beside = new double[n];
-        Arrays.setAll(beside, i -> valid[i] ? (measured[i] - model[i] - level) * ends.weight(i) : 0);
+        double[] beside = evidence.spectra().beside(excitation, o, model);
+        Taper ends = Taper.ends(beside.length, EDGE);
+        Arrays.setAll(beside, i -> beside[i] * ends.weight(i));
         int times = output.reading() == Assembly.Reading.ACCELERATION ? 2 : output.reading() == Assembly.Reading.VELOCITY ? 1 : 0;
         double[] out = AboveNoise.integral(excitation, excitation.spectrum(beside), evidence.noise()[o], times);
         for (int i = 0; i < out.length; i++) {
@@ -142,9 +148,9 @@ public final class Motion implements ModulatorSeries.Links {
         return velocity[link];
     }
 
-    /** Acceleration of each body [m/s²], a spectrum each. Worked out anew. */
+    /** Acceleration of each body [m/s²], a spectrum each; none of what is driven. Not a copy. */
     public double[][] accelerations() {
-        return accelerations.get();
+        return accelerations;
     }
 
     /** What the model's spring, dashpot and laws carry along the measured motion. Laws in it that something modulates are left out. */

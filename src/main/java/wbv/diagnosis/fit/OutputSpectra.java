@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Quantity;
@@ -31,6 +32,23 @@ public final class OutputSpectra {
             spectra[o] = spectrum(o, series, whitening.window());
         }
         return whitening.whiten(spectra);
+    }
+
+    /**
+     * What an output reads beside what was simulated, by sample in its unit, less its mean; 0 where nothing was measured.
+     *
+     * @param from what was simulated
+     * @param simulated a spectrum. Not modified.
+     */
+    public double[] beside(Excitation from, int output, double[] simulated) {
+        double[] out = from.series(simulated);
+        double[] own = measured.series(output);
+        boolean[] valid = measured.valid(output);
+        double level = IntStream.range(0, out.length).filter(i -> valid[i]).mapToDouble(i -> own[i] - out[i]).average().orElse(0);
+        for (int i = 0; i < out.length; i++) {
+            out[i] = valid[i] ? own[i] - out[i] - level : 0;
+        }
+        return out;
     }
 
     /**

@@ -45,7 +45,8 @@ final class TermColumns {
         this.screening = screening;
         this.on = on;
         this.linear = Combination.of(screening.left()
-                .of(List.of(screening.direction(link, motion.displacement(link)), screening.direction(link, motion.velocity(link)))));
+                .of(List.of(screening.directions().of(link, motion.displacement(link)),
+                        screening.directions().of(link, motion.velocity(link)))));
     }
 
     /**
@@ -97,7 +98,7 @@ final class TermColumns {
     }
 
     private Stream<double[]> directions(Hypothesis term, Start start) {
-        return start.columns().stream().map(column -> screening.direction(term, on.with(term), only(start, column)));
+        return start.columns().stream().map(column -> screening.directions().of(term, on.with(term), only(start, column)));
     }
 
     /** @param next what is left of its directions, and then of others'. Modified. */

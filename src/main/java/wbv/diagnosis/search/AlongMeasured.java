@@ -17,7 +17,7 @@ import wbv.signal.ScalarProduct;
  */
 final class AlongMeasured {
 
-    private final Screening screening;
+    private final Directions directions;
     private final Fitter.State base;
     private final Structure structure;
     private final Projection errors;
@@ -28,29 +28,26 @@ final class AlongMeasured {
     /** What is left along the motion. */
     private final Followed left;
 
-    /** @param screening at that fit */
-    AlongMeasured(Screening screening, Fitter.State base, Motion motion) {
-        this.screening = screening;
+    /** @param directions at that fit */
+    AlongMeasured(Directions directions, Fitter.State base, Motion motion) {
+        this.directions = directions;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
         this.errors = Projection.ofAll(base);
-        // What is driven has no masses, and moves as it was measured.
-        double[][] accelerations = structure.held() ? new double[0][] : motion.accelerations();
-        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion, accelerations)))
-                .toArray(Followed[]::new);
+        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
         this.products = Arrays.stream(carried).map(one -> Arrays.stream(carried).mapToDouble(one::product).toArray())
                 .toArray(double[][]::new);
-        this.left = followed(screening.along());
+        this.left = followed(directions.along());
     }
 
-    private double[] carried(int i, Motion motion, double[][] accelerations) {
+    private double[] carried(int i, Motion motion) {
         Knob knob = base.candidate().knobs().get(i);
         int at = knob.slot().at();
         return knob.unit() != 0 || !knob.tied().isEmpty() ? base.slopes()[i] : switch (knob.slot().kind()) {
-            case STIFFNESS -> screening.direction(at, times(structure.stiffness()[at], motion.displacement(at)));
-            case DAMPING -> screening.direction(at, times(structure.damping()[at], motion.velocity(at)));
+            case STIFFNESS -> directions.of(at, times(structure.stiffness()[at], motion.displacement(at)));
+            case DAMPING -> directions.of(at, times(structure.damping()[at], motion.velocity(at)));
             case MASS -> Arrays.stream(structure.sharing(at))
-                    .mapToObj(body -> screening.directionOn(body, times(-structure.mass()[at], accelerations[body])))
+                    .mapToObj(body -> directions.onBody(body, times(-structure.mass()[at], motion.accelerations()[body])))
                     .reduce(new double[base.slopes()[i].length], AlongMeasured::sum);
             default -> base.slopes()[i];
         };

@@ -26,7 +26,7 @@ import wbv.diagnosis.search.AlongMeasured.Followed;
  */
 final class MeasuredStarts {
 
-    private final Screening screening;
+    private final Directions directions;
     private final Fitter.State base;
     private final Structure structure;
     private final AlongMeasured along;
@@ -34,13 +34,13 @@ final class MeasuredStarts {
     /**
      * Along the motion at a fit.
      *
-     * @param screening at that fit
+     * @param directions at that fit
      */
-    MeasuredStarts(Screening screening, Fitter.State base, Motion motion) {
-        this.screening = screening;
+    MeasuredStarts(Directions directions, Fitter.State base, Motion motion) {
+        this.directions = directions;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
-        this.along = new AlongMeasured(screening, base, motion);
+        this.along = new AlongMeasured(directions, base, motion);
     }
 
     /**
@@ -59,7 +59,7 @@ final class MeasuredStarts {
      * @param with base and hypothesis
      */
     Optional<double[]> of(Candidate with, Hypothesis hypothesis) {
-        if (!LinkLaws.isInLink(hypothesis)) {
+        if (!Directions.isInLink(hypothesis)) {
             return Optional.empty();
         }
         return hypothesis.starts().stream().flatMap(start -> sized(hypothesis, start).stream())
@@ -79,7 +79,7 @@ final class MeasuredStarts {
             double[] only = new double[columns];
             only[c] = 1;
             all[own.length + c] = direction(hypothesis,
-                    screening.laws().force(hypothesis, Screening.sized(hypothesis, start, only)));
+                    directions.force(hypothesis, Screening.sized(hypothesis, start, only)));
         }
         double[] strengths = along.strengths(all, along.left());
         double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, own.length, all.length));
@@ -91,11 +91,11 @@ final class MeasuredStarts {
 
     /** What is left beside a law. A new array. */
     private double[] beyond(Hypothesis hypothesis, double[] law) {
-        return AlongMeasured.sum(along.left().vector(), screening.direction(LinkLaws.link(hypothesis), law));
+        return AlongMeasured.sum(along.left().vector(), directions.of(Directions.link(hypothesis), law));
     }
 
     private Followed direction(Hypothesis hypothesis, double[] force) {
-        return along.followed(screening.direction(LinkLaws.link(hypothesis), force));
+        return along.followed(directions.of(Directions.link(hypothesis), force));
     }
 
     /**
@@ -124,7 +124,7 @@ final class MeasuredStarts {
         Followed[] all = Arrays.copyOf(own, own.length + free.length);
         for (int i = 0; i < free.length; i++) {
             double[] moved = moved(hypothesis, from.values(), new int[] {free[i]}, new double[] {Effort.DIFFERENCE}, 1);
-            all[own.length + i] = direction(hypothesis, slope(from.law(), screening.laws().force(hypothesis, moved)));
+            all[own.length + i] = direction(hypothesis, slope(from.law(), directions.force(hypothesis, moved)));
         }
         double[] strengths = along.strengths(all, along.followed(beyond(hypothesis, from.law())));
         return Arrays.copyOfRange(strengths, own.length, all.length);
@@ -150,7 +150,7 @@ final class MeasuredStarts {
 
     /** What the model's numbers do beside a law, which goes with those of its own link. */
     private Followed[] beside(Hypothesis hypothesis, double[] values, double[] law) {
-        int link = LinkLaws.link(hypothesis);
+        int link = Directions.link(hypothesis);
         double stiffness = structure.stiffness()[link];
         double damping = structure.damping()[link];
         Followed[] all = along.carried();
@@ -158,10 +158,10 @@ final class MeasuredStarts {
             Knob knob = base.candidate().knobs().get(i);
             if (knob.isOfLink() && knob.slot().at() == link) {
                 boolean spring = knob.slot().kind() == Slot.Kind.STIFFNESS;
-                double[] more = slope(law, screening.laws().force(hypothesis, values,
+                double[] more = slope(law, directions.force(hypothesis, values,
                         spring ? (1 + Effort.DIFFERENCE) * stiffness : stiffness, spring ? damping : (1 + Effort.DIFFERENCE) * damping));
                 all[i] = Arrays.stream(more).allMatch(force -> force == 0) ? all[i]
-                        : along.followed(AlongMeasured.sum(all[i].vector(), screening.direction(link, more)));
+                        : along.followed(AlongMeasured.sum(all[i].vector(), directions.of(link, more)));
             }
         }
         return all;
@@ -169,7 +169,7 @@ final class MeasuredStarts {
 
     /** The model's numbers beside a law. */
     private Solved solved(Candidate with, Hypothesis hypothesis, double[] values) {
-        double[] law = screening.laws().force(hypothesis, values);
+        double[] law = directions.force(hypothesis, values);
         Followed[] all = beside(hypothesis, values, law);
         double[] rest = beyond(hypothesis, law);
         double[] strengths = along.strengths(all, along.followed(rest));

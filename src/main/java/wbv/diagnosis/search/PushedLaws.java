@@ -94,8 +94,8 @@ public final class PushedLaws {
 
     /** The laws that lead by themselves, beside each body. */
     private List<Supplier<Begun>> laws(List<Fitter.State> leaders) {
-        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(LinkLaws::isInLink).map(Hypothesis::claim)
-                .distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
+        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Directions::isInLink)
+                .filter(Hypothesis::runsFree).map(Hypothesis::claim).distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
         List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
                 .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();
         return IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> starts(body, laws)).toList();

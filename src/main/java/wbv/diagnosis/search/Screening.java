@@ -4,19 +4,12 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import wbv.body.Assembly;
-import wbv.body.LawAt;
-import wbv.body.Spectra;
 import wbv.body.simulate.ModulatorSeries;
-import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
-import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Parallel;
-import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
 
@@ -29,15 +22,8 @@ import wbv.diagnosis.mechanism.Start;
  */
 public final class Screening {
 
-    private final Evidence evidence;
     private final Fitter.State state;
-    private final Whitening whitening;
-    private final LinkLaws laws;
-    private final Simulator simulator;
-    private final Simulator.Linearised linear;
-    private final double[][] outputs;
-    private final Optional<Simulator.Bends> bends;
-    private final Lateness late;
+    private final Directions directions;
     private final PartialledOut left;
 
     /**
@@ -78,17 +64,8 @@ public final class Screening {
      * @param modulators along the motion
      */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
-        this.evidence = evidence;
         this.state = state;
-        this.whitening = state.frame().whitening();
-        this.laws = new LinkLaws(evidence, state.candidate().at(state.x()).structure(), motion, modulators);
-        this.simulator = new Simulator(evidence.excitation());
-        this.linear = simulator.linearised(state.candidate().at(state.x()));
-        Simulator.Response there = simulator.run(state.candidate().at(state.x()), false);
-        this.outputs = there.outputs();
-        this.bends = there.bends();
-        Nuisances small = state.frame().nuisances();
-        this.late = small.delays().lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
+        this.directions = new Directions(evidence, state, motion, modulators);
         this.left = new PartialledOut(state);
     }
 
@@ -112,17 +89,17 @@ public final class Screening {
 
     private Score score(Hypothesis hypothesis, Candidate with, Start start) {
         boolean amplitude = !start.columns().isEmpty();
-        List<double[]> directions = new ArrayList<>();
+        List<double[]> changes = new ArrayList<>();
         if (amplitude) {
             for (int c = 0; c < start.columns().size(); c++) {
                 double[] only = new double[start.columns().size()];
                 only[c] = 1;
-                directions.add(direction(hypothesis, with, sized(hypothesis, start, only)));
+                changes.add(directions.of(hypothesis, with, sized(hypothesis, start, only)));
             }
         } else {
-            directions.add(direction(hypothesis, with, start.values()));
+            changes.add(directions.of(hypothesis, with, start.values()));
         }
-        List<PartialledOut.Rest> rests = left.of(directions);
+        List<PartialledOut.Rest> rests = left.of(changes);
         Optional<Combination> combination = rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
                 : Optional.of(Combination.of(rests));
         double gain = combination.map(Combination::gain).orElse(0.0);
@@ -156,68 +133,9 @@ public final class Screening {
         return values;
     }
 
-    /**
-     * Whitened change of the residual, as long as that, that a hypothesis makes at given values.
-     *
-     * @param values by number, in its unit. Not modified.
-     */
-    public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (LinkLaws.isInLink(hypothesis)) {
-            return direction(LinkLaws.link(hypothesis), laws.force(hypothesis, values));
-        }
-        double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
-        double[][] changed = simulator.run(with.at(x), false, bends).outputs();
-        double[][] difference = new double[changed.length][];
-        for (int o = 0; o < changed.length; o++) {
-            difference[o] = changed[o].clone();
-            for (int i = 0; i < difference[o].length; i++) {
-                difference[o][i] -= outputs[o][i];
-            }
-        }
-        return seen(difference);
-    }
-
-    /** A change of the outputs as a change of the residual. */
-    private double[] seen(double[][] change) {
-        return evidence.spectra().whitened(evidence.excitation(), late.of(change), -1, whitening);
-    }
-
-    /**
-     * The residual, with what sensors' errors explain, if the laws that the model has already made what they make along the motion as
-     * measured. A new array.
-     */
-    double[] along() {
-        double[] out = state.raw().clone();
-        Assembly fitted = state.candidate().at(state.x());
-        List<LawAt> own = LinkLaws.of(fitted);
-        if (!own.isEmpty()) {
-            Motion simulated = Motion.simulated(evidence, fitted);
-            own.forEach(at -> Spectra.add(out, direction(at.link(), laws.beyond(at, simulated)), 1));
-        }
-        return out;
-    }
-
-    /** Laws along the motion as measured. */
-    LinkLaws laws() {
-        return laws;
-    }
-
-    /**
-     * Whitened change of the residual, as long as that, that a force in a link makes.
-     *
-     * @param force at the free run's rate, by sample [N]. Not modified.
-     */
-    public double[] direction(int link, double[] force) {
-        return seen(linear.answer(link, force));
-    }
-
-    /**
-     * The same of a force on a body, or a moment.
-     *
-     * @param force spectrum of one [N] or [N m]. Not modified.
-     */
-    double[] directionOn(int body, double[] force) {
-        return seen(linear.answerOn(body, force));
+    /** What hypotheses change along what was measured. */
+    public Directions directions() {
+        return directions;
     }
 
     /** What may follow is partialled out of directions by this. */
