@@ -1,9 +1,12 @@
 package wbv.diagnosis.search;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import wbv.body.Spectra;
 import wbv.body.Structure;
+import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.algebra.DampedEquations;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
@@ -24,7 +27,7 @@ final class AlongMeasured {
     /** What each of the model's numbers does along the motion by all that it is, by coordinate; to first order what is no factor. */
     private final Followed[] carried;
     /** Their products. */
-    private final double[][] products;
+    private final double[][] gramOfCarried;
     /** What is left along the motion. */
     private final Followed left;
 
@@ -35,7 +38,7 @@ final class AlongMeasured {
         this.structure = base.candidate().at(base.x()).structure();
         this.errors = Projection.ofAll(base);
         this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
-        this.products = Arrays.stream(carried).map(one -> Arrays.stream(carried).mapToDouble(one::product).toArray())
+        this.gramOfCarried = Arrays.stream(carried).map(one -> Arrays.stream(carried).mapToDouble(one::product).toArray())
                 .toArray(double[][]::new);
         this.left = followed(directions.along());
     }
@@ -94,22 +97,95 @@ final class AlongMeasured {
         return carried.clone();
     }
 
-    /** How strong some directions are that leave least, those of the model's numbers first, of which something is known [1]. */
+    /**
+     * How strong some directions are that leave least, those of the model's numbers first, of which something is known [1].
+     *
+     * @param directions of which those of the model's numbers may be others than {@link #carried}
+     */
     double[] strengths(Followed[] directions, Followed residual) {
         double[][] gram = new double[directions.length][directions.length];
         double[] gradient = Arrays.stream(directions).mapToDouble(residual::product).toArray();
         for (int i = 0; i < directions.length; i++) {
             for (int j = 0; j <= i; j++) {
                 boolean known = i < carried.length && directions[i] == carried[i] && directions[j] == carried[j];
-                gram[i][j] = known ? products[i][j] : directions[i].product(directions[j]);
+                gram[i][j] = known ? gramOfCarried[i][j] : directions[i].product(directions[j]);
                 gram[j][i] = gram[i][j];
             }
         }
+        addKnown(gram, gradient);
+        return Arrays.stream(DampedEquations.solve(gram, gradient)).map(s -> -s).toArray();
+    }
+
+    /** Adds what is known of the model's numbers. */
+    private void addKnown(double[][] gram, double[] gradient) {
         for (int i = 0; i < carried.length; i++) {
             double deviation = base.candidate().knobs().get(i).deviation();
             gram[i][i] += 1 / (deviation * deviation);
             gradient[i] += base.x()[i] / (deviation * deviation);
         }
-        return Arrays.stream(DampedEquations.solve(gram, gradient)).map(s -> -s).toArray();
+    }
+
+    /**
+     * Moves the model's numbers.
+     *
+     * @param x coordinates of a candidate on top of the base [1], one a knob. Modified.
+     * @param strengths of what each of the model's numbers does [1]. Not modified.
+     */
+    void move(double[] x, double[] strengths) {
+        for (int i = 0; i < carried.length; i++) {
+            Knob knob = base.candidate().knobs().get(i);
+            double value = knob.unit() == 0 ? knob.value(x[i]) * (1 + strengths[i]) : knob.value(x[i] + strengths[i]);
+            x[i] = knob.coordinate(Math.max(knob.value(knob.low()), value));
+        }
+    }
+
+    /**
+     * Products of directions where the model's numbers follow, too.
+     *
+     * @param each  of two directions [1]
+     * @param left  of each with what is left [1]
+     * @param held  how the numbers follow each [1]
+     * @param alone how they follow what is left [1]
+     */
+    record Products(double[][] each, double[] left, double[][] held, double[] alone) {
+
+        /** How strong what each of the model's numbers does is beside some directions [1]. */
+        double[] numbers(Map<Integer, Double> strengths) {
+            double[] out = new double[alone.length];
+            Arrays.setAll(out, k -> -alone[k] - strengths.entrySet().stream().mapToDouble(s -> s.getValue() * held[s.getKey()][k]).sum());
+            return out;
+        }
+    }
+
+    /**
+     * Of some directions.
+     *
+     * @param vectors whitened, as long as the residual each. Not copied, not modified.
+     */
+    Products products(List<double[]> vectors) {
+        Columns columns = new Columns(vectors.toArray(double[][]::new));
+        double[][] own = errors.products(columns);
+        double[][] follow = Arrays.stream(own).map(errors::errors).toArray(double[][]::new);
+        double[][] each = columns.gram();
+        double[][] numbers = Arrays.stream(gramOfCarried).map(double[]::clone).toArray(double[][]::new);
+        double[] gradient = Arrays.stream(carried).mapToDouble(left::product).toArray();
+        addKnown(numbers, gradient);
+        double[][] cross = columns.products(new Columns(Arrays.stream(carried).map(Followed::vector).toArray(double[][]::new)));
+        double[] rest = columns.products(left.vector());
+        double[][] across = new double[each.length][carried.length];
+        double[][] held = new double[each.length][];
+        for (int i = 0; i < each.length; i++) {
+            for (int k = 0; k < carried.length; k++) {
+                across[i][k] = cross[k][i] - ScalarProduct.of(follow[i], carried[k].own());
+            }
+            held[i] = DampedEquations.solve(numbers, across[i]);
+            rest[i] -= ScalarProduct.of(follow[i], left.own()) + ScalarProduct.of(held[i], gradient);
+        }
+        for (int i = 0; i < each.length; i++) {
+            for (int j = 0; j < each.length; j++) {
+                each[i][j] -= ScalarProduct.of(own[i], follow[j]) + ScalarProduct.of(across[i], held[j]);
+            }
+        }
+        return new Products(each, rest, held, DampedEquations.solve(numbers, gradient));
     }
 }

@@ -47,7 +47,7 @@ final class FirstMechanisms {
     /** Whether two mechanisms at two places explain nearly all where no one place will do. */
     boolean isPair() {
         return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
-                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair)).isPresent();
+                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair) || leavesScatter(pair)).isPresent();
     }
 
     /**

@@ -9,7 +9,6 @@ import wbv.body.Structure;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
@@ -36,11 +35,11 @@ final class MeasuredStarts {
      *
      * @param directions at that fit
      */
-    MeasuredStarts(Directions directions, Fitter.State base, Motion motion) {
+    MeasuredStarts(Directions directions, Fitter.State base, AlongMeasured along) {
         this.directions = directions;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
-        this.along = new AlongMeasured(directions, base, motion);
+        this.along = along;
     }
 
     /**
@@ -179,11 +178,9 @@ final class MeasuredStarts {
         Followed still = along.followed(rest);
         double[] x = base.candidate().extended(base.x(), with, hypothesis, values);
         double cost = still.product(still);
+        along.move(x, strengths);
         for (int i = 0; i < all.length; i++) {
-            Knob knob = base.candidate().knobs().get(i);
-            double value = knob.unit() == 0 ? knob.value(x[i]) * (1 + strengths[i]) : knob.value(x[i] + strengths[i]);
-            x[i] = knob.coordinate(Math.max(knob.value(knob.low()), value));
-            cost += Math.pow(x[i] / knob.deviation(), 2);
+            cost += Math.pow(x[i] / base.candidate().knobs().get(i).deviation(), 2);
         }
         return new Solved(values, law, x, cost);
     }

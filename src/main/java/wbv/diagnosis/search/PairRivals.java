@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -85,7 +86,7 @@ public final class PairRivals {
         Place there = Place.plain(part, left);
         Place ignored = Place.plain(other, left);
         return Stream.concat(simpler(left, x, part, pair),
-                there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, ignored, part))
+                there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, part, pair))
                 .filter(fit -> !fit.failed() && !Search.extreme(fit));
     }
 
@@ -95,18 +96,13 @@ public final class PairRivals {
                 Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> !rival.claim().equals(part.claim()))).stream();
     }
 
-    /** Of two apart: those that show about as well at the part's place while the other's is ignored. No others can be its rivals. */
-    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Place ignored, Hypothesis part) {
-        List<Fitter.State> shown = new ShownBeside(evidence, base, progress).at(ignored, there, Arrays.copyOf(x, base.x().length)).fits();
-        double near = shown.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(shown.get(0).reduced());
-        List<Fitter.State> rivals = shown.stream().filter(fit -> fit.reduced() <= near && !Search.extreme(fit))
-                .filter(fit -> !fit.candidate().last().claim().equals(part.claim())).limit(Effort.CONTENDERS).toList();
-        List<Fitter.State> begun = Trial.sorted(Parallel.map(rivals, fit -> {
-            Candidate both = left.with(fit.candidate().last());
-            return search.refinement().begun(both, PlacePairs.with(fit, x, both));
-        }));
-        return Parallel.map(begun.stream().filter(fit -> !fit.failed()).limit(Effort.SECONDS).toList(), search.refinement()::polish)
-                .stream();
+    /** Of two apart: whatever fits best at the part's place beside the other, other forms of it among them, as the pair moves. */
+    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Hypothesis part, Fitter.State pair) {
+        Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
+        List<Hypothesis> rivals = search.hypotheses(base).stream()
+                .filter(rival -> Place.plain(rival, left).equals(there) && !rival.name().equals(part.name())).toList();
+        Motion motion = Motion.simulated(evidence, pair.candidate().at(pair.x()));
+        return new MeasuredHeats(evidence, search.refinement(), without, motion, rivals).best(Effort.LEADERS).stream();
     }
 
     /**

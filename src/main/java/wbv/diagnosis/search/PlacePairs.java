@@ -16,6 +16,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -47,7 +48,12 @@ final class PlacePairs {
     Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
         double good = Math.max(Locator.reach(places, Effort.BEHIND), Refinement.form(base));
         NearPairs near = NearPairs.of(evidence, base, places);
-        List<Fitter.State> found = new ArrayList<>();
+        Optional<MeasuredHeats.Found> measured = measured(base, places, near.twins());
+        List<Fitter.State> found = new ArrayList<>(measured.map(MeasuredHeats.Found::fit).stream().toList());
+        if (measured.filter(pair -> pair.fit().reduced() < good
+                || pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit())).isPresent()) {
+            return found.stream().findFirst();
+        }
         Set<Set<Place>> tried = new HashSet<>();
         Set<Set<String>> joined = new HashSet<>();
         for (Beside beside : besides(base, near, good)) {
@@ -63,6 +69,17 @@ final class PlacePairs {
             }
         }
         return found.stream().findFirst();
+    }
+
+    /** The best of those along what was measured, at places that may do. */
+    private Optional<MeasuredHeats.Found> measured(Fitter.State base, List<Known.Ignoring> places, Twins twins) {
+        progress.accept("pairs", 0.4);
+        double most = NearPairs.reach(places, base);
+        Set<Set<Place>> near = places.stream().filter(pair -> pair.reduced() < most)
+                .map(pair -> MeasuredHeats.both(twins.first(pair.places().get(0)), twins.first(pair.places().get(1))))
+                .collect(Collectors.toSet());
+        return new MeasuredHeats(evidence, refinement, base, Motion.measured(evidence, base.candidate().at(base.x())), search.hypotheses(base))
+                .two(near, twins);
     }
 
     /**

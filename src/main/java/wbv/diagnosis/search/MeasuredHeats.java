@@ -1,0 +1,235 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Start;
+
+/**
+ * Mechanisms that race for the best fit by free run from where the measured motion has them: along what was measured what a model lacks is
+ * linear, see {@link MeasuredStarts}, so that one set of products tells what each leaves, and what any two at two places leave together.
+ * Proposes, and decides nothing.
+ */
+final class MeasuredHeats {
+
+    /** Times what it was looked at with that a mechanism without an amplitude may be, either way, and be meant as it is, an effort. */
+    private static final double NEAR_ONE = 20;
+    /** Part of two directions' squares below which they are one [1]. */
+    private static final double APART = 1e-4;
+
+    private static final Comparator<Pair> MOST = Comparator.comparingDouble(Pair::gain).reversed();
+
+    private final Refinement refinement;
+    private final Fitter fitter;
+    private final Fitter.State base;
+    private final AlongMeasured along;
+    private final List<Looked> looked;
+    private final AlongMeasured.Products products;
+    private final MeasuredStarts starts;
+
+    /**
+     * A mechanism as it is looked at.
+     *
+     * @param values of its numbers where it is once as strong, each in its unit
+     */
+    private record Looked(Hypothesis hypothesis, Start start, double[] values, Place place) {
+
+        /** Its numbers where it is so many times as strong; empty where it may not be. */
+        Optional<double[]> times(double strength) {
+            if (start.columns().isEmpty()) {
+                return strength * NEAR_ONE > 1 && strength < NEAR_ONE ? Optional.of(values) : Optional.empty();
+            }
+            double[] all = new double[start.columns().size()];
+            Arrays.fill(all, strength);
+            double[] sized = Screening.sized(hypothesis, start, all);
+            return IntStream.range(0, sized.length)
+                    .allMatch(i -> hypothesis.numbers().get(i).low() <= sized[i] && sized[i] <= hypothesis.numbers().get(i).high())
+                            ? Optional.of(sized)
+                            : Optional.empty();
+        }
+    }
+
+    /** One of those that were looked at, and what it takes of the sum of squares [1]. */
+    private record Single(int one, double strength, double gain) {}
+
+    /** Two of those that were looked at, and what they take of the sum of squares [1]. */
+    private record Pair(int one, int other, double[] strengths, double gain) {}
+
+    /**
+     * Each as it is looked at from all of its starts.
+     *
+     * @param base what they stand on, fitted, with its derivatives
+     * @param motion as measured, or as what is nearly right moves
+     */
+    MeasuredHeats(Evidence evidence, Refinement refinement, Fitter.State base, Motion motion, List<Hypothesis> hypotheses) {
+        this.refinement = refinement;
+        this.fitter = new Fitter(evidence).about(base);
+        this.base = base;
+        Directions directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
+        this.looked = hypotheses.stream().flatMap(h -> h.starts().stream().map(start -> looked(h, start))).toList();
+        this.along = new AlongMeasured(directions, base, motion);
+        this.starts = new MeasuredStarts(directions, base, along);
+        this.products = along.products(Parallel.map(looked,
+                each -> directions.of(each.hypothesis(), base.candidate().with(each.hypothesis()), each.values())));
+    }
+
+    private Looked looked(Hypothesis hypothesis, Start start) {
+        double[] once = new double[start.columns().size()];
+        Arrays.fill(once, 1);
+        return new Looked(hypothesis, start, Screening.sized(hypothesis, start, once), Place.plain(hypothesis, base.candidate()));
+    }
+
+    /** Those that fit best, polished: as many as are sought, best first; none that failed. */
+    List<Fitter.State> best(int most) {
+        Map<String, Single> best = new LinkedHashMap<>();
+        for (int i = 0; i < looked.size(); i++) {
+            single(i).ifPresent(single -> best.merge(looked.get(single.one()).hypothesis().name(), single,
+                    (a, b) -> a.gain() < b.gain() ? b : a));
+        }
+        List<Single> first = best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed())
+                .limit(Effort.CONTENDERS).toList();
+        List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.PLACES);
+        Set<String> claims = new HashSet<>();
+        List<Fitter.State> last = heat.stream().filter(fit -> claims.add(fit.candidate().last().claim())).limit(most).toList();
+        return Trial.sorted(Parallel.map(last, refinement::polish)).stream().filter(fit -> !fit.failed()).toList();
+    }
+
+    private Optional<Single> single(int one) {
+        double square = products.each()[one][one];
+        double strength = -products.left()[one] / square;
+        return square > 0 && looked.get(one).times(strength).isPresent()
+                ? Optional.of(new Single(one, strength, strength * strength * square))
+                : Optional.empty();
+    }
+
+    /** The first step of one by free run, from the shape that the measured motion has, where it is a law in a link. */
+    private Fitter.State begun(Single single) {
+        Looked one = looked.get(single.one());
+        Candidate with = base.candidate().with(one.hypothesis());
+        double[] x = starts.of(with, one.hypothesis()).orElseGet(() -> {
+            double[] numbers = base.x().clone();
+            along.move(numbers, products.numbers(Map.of(single.one(), single.strength())));
+            return base.candidate().extended(numbers, with, one.hypothesis(), one.times(single.strength()).orElseThrow());
+        });
+        return fitter.fit(with, x, base.frame(), 1, Effort.ROUGH);
+    }
+
+    /**
+     * The pair that came first.
+     *
+     * @param fit polished
+     * @param isAlone whether all of other names were given up on the way, as far behind as a hypothesis is that cannot come to be as good
+     */
+    record Found(Fitter.State fit, boolean isAlone) {}
+
+    /**
+     * The pair that fits best after a race; empty where none may be.
+     *
+     * @param places sets of two places where they may act, of twins the first
+     */
+    Optional<Found> two(Set<Set<Place>> places, Twins twins) {
+        List<Fitter.State> heat = race(Parallel.map(pairs(places, twins), this::begun), Effort.CONTENDERS);
+        return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polish).stream().filter(fit -> !fit.failed())
+                .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
+    }
+
+    private static boolean isAlone(Fitter.State first, List<Fitter.State> heat) {
+        return heat.stream().filter(fit -> !claims(fit).equals(claims(first)))
+                .allMatch(fit -> Refinement.excess(fit.reduced()) > Effort.BEHIND * Refinement.excess(first.reduced()));
+    }
+
+    /**
+     * Fewer and fewer of some fits, a few steps further each time.
+     *
+     * @param begun in any order
+     * @param most that go on at first
+     * @return twice as many as are sought at last, best first
+     */
+    private List<Fitter.State> race(List<Fitter.State> begun, int most) {
+        List<Fitter.State> heat = ahead(begun, most);
+        for (int left = most; left >= Effort.SECONDS; left /= 2) {
+            heat = ahead(Parallel.map(heat.subList(0, Math.min(left, heat.size())),
+                    fit -> fitter.fit(fit.candidate(), fit.x(), fit.frame(), Effort.SECONDS, Effort.ROUGH)), most);
+        }
+        return heat;
+    }
+
+    /** Those that are not given up yet. */
+    private static List<Fitter.State> ahead(List<Fitter.State> fits, int most) {
+        List<Fitter.State> sorted = Trial.sorted(fits);
+        double reach = sorted.isEmpty() ? 0 : Effort.HOPELESS * Refinement.excess(sorted.get(0).reduced());
+        return sorted.stream().filter(fit -> !fit.failed()).limit(most)
+                .filter(fit -> fit == sorted.get(0) || fit == sorted.get(1) || Refinement.excess(fit.reduced()) <= reach).toList();
+    }
+
+    private static Set<String> claims(Fitter.State fit) {
+        List<Hypothesis> added = fit.candidate().added();
+        return both(added.get(added.size() - 2).claim(), added.get(added.size() - 1).claim());
+    }
+
+    /** The best of each two names, those that take most first. */
+    private List<Pair> pairs(Set<Set<Place>> places, Twins twins) {
+        Map<Set<String>, Pair> best = new HashMap<>();
+        for (int i = 0; i < looked.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                Looked one = looked.get(i);
+                Looked other = looked.get(j);
+                if (places.contains(both(twins.first(one.place()), twins.first(other.place())))) {
+                    pair(i, j).ifPresent(pair -> best.merge(both(one.hypothesis().claim(), other.hypothesis().claim()), pair,
+                            (a, b) -> a.gain() < b.gain() ? b : a));
+                }
+            }
+        }
+        return best.values().stream().sorted(MOST).limit(2 * Effort.CONTENDERS).toList();
+    }
+
+    /** Both, or the one that both are. */
+    static <T> Set<T> both(T one, T other) {
+        return Set.copyOf(List.of(one, other));
+    }
+
+    /** Two of those that were looked at, as strong as leaves least; empty where they may not be, or do the same. */
+    private Optional<Pair> pair(int one, int other) {
+        double[][] p = products.each();
+        double[] g = products.left();
+        double across = p[one][other];
+        double apart = p[one][one] * p[other][other] - across * across;
+        if (!(apart > APART * p[one][one] * p[other][other])) {
+            return Optional.empty();
+        }
+        double first = (across * g[other] - p[other][other] * g[one]) / apart;
+        double second = (across * g[one] - p[one][one] * g[other]) / apart;
+        return looked.get(one).times(first).isPresent() && looked.get(other).times(second).isPresent()
+                ? Optional.of(new Pair(one, other, new double[] {first, second}, -first * g[one] - second * g[other]))
+                : Optional.empty();
+    }
+
+    /** The first step of both by free run, from where the measured motion has them and the model's numbers beside them. */
+    private Fitter.State begun(Pair pair) {
+        Looked one = looked.get(pair.one());
+        Looked other = looked.get(pair.other());
+        double[] x = base.x().clone();
+        along.move(x, products.numbers(Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1])));
+        Candidate first = base.candidate().with(one.hypothesis());
+        Candidate both = first.with(other.hypothesis());
+        x = base.candidate().extended(x, first, one.hypothesis(), one.times(pair.strengths()[0]).orElseThrow());
+        x = first.extended(x, both, other.hypothesis(), other.times(pair.strengths()[1]).orElseThrow());
+        return fitter.fit(both, x, base.frame(), 1, Effort.ROUGH);
+    }
+}
