@@ -160,7 +160,7 @@ public final class Simulator {
      * The true reading of which a sensor's fault made another, as a spectrum in its own unit. Empty where that cannot be told, as of a
      * reading that was clipped.
      *
-     * @param read spectrum of the faulty reading. Not modified.
+     * @param read spectrum of the faulty reading, in its own unit. Not modified.
      */
     public Optional<double[]> undone(SensorFault fault, double[] read) {
         return new Sensing(excitation).undone(fault, read);

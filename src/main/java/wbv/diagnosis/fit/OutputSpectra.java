@@ -38,7 +38,7 @@ public final class OutputSpectra {
      * What an output reads beside what was simulated, by sample in its unit, less its mean; 0 where nothing was measured.
      *
      * @param from what was simulated
-     * @param simulated a spectrum. Not modified.
+     * @param simulated a spectrum, in the output's unit. Not modified.
      */
     public double[] beside(Excitation from, int output, double[] simulated) {
         double[] out = from.series(simulated);

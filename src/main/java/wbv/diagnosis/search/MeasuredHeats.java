@@ -28,11 +28,6 @@ import wbv.diagnosis.mechanism.Start;
  */
 final class MeasuredHeats {
 
-    /** Times what it was looked at with that a mechanism without an amplitude may be, either way, and be meant as it is, an effort. */
-    private static final double NEAR_ONE = 20;
-    /** Part of two directions' squares below which they are one [1]. */
-    private static final double APART = 1e-4;
-
     private static final Comparator<Pair> MOST = Comparator.comparingDouble(Pair::gain).reversed();
 
     private final Refinement refinement;
@@ -53,7 +48,7 @@ final class MeasuredHeats {
         /** Its numbers where it is so many times as strong; empty where it may not be. */
         Optional<double[]> times(double strength) {
             if (start.columns().isEmpty()) {
-                return strength * NEAR_ONE > 1 && strength < NEAR_ONE ? Optional.of(values) : Optional.empty();
+                return strength * Effort.NEAR_ONE > 1 && strength < Effort.NEAR_ONE ? Optional.of(values) : Optional.empty();
             }
             double[] all = new double[start.columns().size()];
             Arrays.fill(all, strength);
@@ -210,7 +205,7 @@ final class MeasuredHeats {
         double[] g = products.left();
         double across = p[one][other];
         double apart = p[one][one] * p[other][other] - across * across;
-        if (!(apart > APART * p[one][one] * p[other][other])) {
+        if (!(apart > PartialledOut.LEAST_NEW * p[one][one] * p[other][other])) {
             return Optional.empty();
         }
         double first = (across * g[other] - p[other][other] * g[one]) / apart;

@@ -17,8 +17,8 @@ import wbv.signal.ScalarProduct;
  */
 public final class PartialledOut {
 
-    /** Part of a direction that the model cannot make itself, below which a score means nothing. */
-    private static final double LEAST_NEW = 1e-4;
+    /** Part of a direction that the model, or another, cannot make itself, below which a score means nothing. */
+    static final double LEAST_NEW = 1e-4;
 
     private final Projection projection;
     private final Columns slopes;

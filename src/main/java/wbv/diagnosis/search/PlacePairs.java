@@ -78,7 +78,8 @@ final class PlacePairs {
         Set<Set<Place>> near = places.stream().filter(pair -> pair.reduced() < most)
                 .map(pair -> MeasuredHeats.both(twins.first(pair.places().get(0)), twins.first(pair.places().get(1))))
                 .collect(Collectors.toSet());
-        return new MeasuredHeats(evidence, refinement, base, Motion.measured(evidence, base.candidate().at(base.x())), search.hypotheses(base))
+        return new MeasuredHeats(evidence, refinement, base, Motion.measured(evidence, base.candidate().at(base.x())),
+                search.hypotheses(base))
                 .two(near, twins);
     }
 

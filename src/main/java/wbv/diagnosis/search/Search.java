@@ -131,7 +131,8 @@ public final class Search {
         List<Screening.Score> scores = screening
                 .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = new Heats(evidence, refinement, fitter, () -> new MeasuredStarts(screening.directions(), base, new AlongMeasured(screening.directions(), base, motion)))
+        List<Fitter.State> fits = new Heats(evidence, refinement, fitter,
+                () -> new MeasuredStarts(screening.directions(), base, new AlongMeasured(screening.directions(), base, motion)))
                 .refit(base,
                         scores, where);
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.

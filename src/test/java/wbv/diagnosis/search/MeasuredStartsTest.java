@@ -73,7 +73,8 @@ class MeasuredStartsTest {
 
     private static double[] begun(Strong strong, Candidate with, Hypothesis hypothesis) {
         Screening screening = new Screening(strong.evidence(), strong.base(), strong.motion());
-        return new MeasuredStarts(screening.directions(), strong.base(), new AlongMeasured(screening.directions(), strong.base(), strong.motion())).of(with, hypothesis).orElseThrow();
+        return new MeasuredStarts(screening.directions(), strong.base(),
+                new AlongMeasured(screening.directions(), strong.base(), strong.motion())).of(with, hypothesis).orElseThrow();
     }
 
     private static void begins(Strong strong, String mechanism, double number, double within) {
