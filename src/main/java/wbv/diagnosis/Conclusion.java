@@ -48,7 +48,7 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
-        PairRivals rivals = new PairRivals(evidence, search, base, inquiry.progress());
+        PairRivals rivals = new PairRivals(evidence, search, base);
         List<Fitter.State> pairs = rivals.with(first.fit());
         Chosen chosen = rivals.likeliest(first, pairs);
         List<Fitter.State> all = Stream.concat(fits.stream(), pairs.stream()).toList();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
@@ -100,8 +101,8 @@ final class MeasuredHeats {
         List<Single> first = best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed())
                 .limit(Effort.CONTENDERS).toList();
         List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.PLACES);
-        Set<String> claims = new HashSet<>();
-        List<Fitter.State> last = heat.stream().filter(fit -> claims.add(fit.candidate().last().claim())).limit(most).toList();
+        Set<Set<String>> names = new HashSet<>();
+        List<Fitter.State> last = heat.stream().filter(fit -> names.add(claims(fit))).limit(most).toList();
         return Trial.sorted(Parallel.map(last, refinement::polish)).stream().filter(fit -> !fit.failed()).toList();
     }
 
@@ -144,7 +145,7 @@ final class MeasuredHeats {
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
     }
 
-    private static boolean isAlone(Fitter.State first, List<Fitter.State> heat) {
+    private boolean isAlone(Fitter.State first, List<Fitter.State> heat) {
         return heat.stream().filter(fit -> !claims(fit).equals(claims(first)))
                 .allMatch(fit -> Refinement.excess(fit.reduced()) > Effort.BEHIND * Refinement.excess(first.reduced()));
     }
@@ -154,28 +155,32 @@ final class MeasuredHeats {
      *
      * @param begun in any order
      * @param most that go on at first
-     * @return twice as many as are sought at last, best first
+     * @return the last few, two names among them, best first
      */
     private List<Fitter.State> race(List<Fitter.State> begun, int most) {
-        List<Fitter.State> heat = ahead(begun, most);
-        for (int left = most; left >= Effort.SECONDS; left /= 2) {
-            heat = ahead(Parallel.map(heat.subList(0, Math.min(left, heat.size())),
-                    fit -> fitter.fit(fit.candidate(), fit.x(), fit.frame(), Effort.SECONDS, Effort.ROUGH)), most);
+        List<Fitter.State> heat = begun;
+        for (int left = most; left >= Effort.PLACES; left /= 2) {
+            heat = Parallel.map(ahead(heat, left),
+                    fit -> fitter.fit(fit.candidate(), fit.x(), fit.frame(), Effort.SECONDS, Effort.ROUGH));
         }
-        return heat;
+        return ahead(heat, most);
     }
 
-    /** Those that are not given up yet. */
-    private static List<Fitter.State> ahead(List<Fitter.State> fits, int most) {
-        List<Fitter.State> sorted = Trial.sorted(fits);
+    /** Those that are not given up yet, and the first of another name in any case, which tells what the name of the first is worth. */
+    private List<Fitter.State> ahead(List<Fitter.State> fits, int most) {
+        List<Fitter.State> sorted = Trial.sorted(fits).stream().filter(fit -> !fit.failed()).toList();
         double reach = sorted.isEmpty() ? 0 : Effort.HOPELESS * Refinement.excess(sorted.get(0).reduced());
-        return sorted.stream().filter(fit -> !fit.failed()).limit(most)
-                .filter(fit -> fit == sorted.get(0) || fit == sorted.get(1) || Refinement.excess(fit.reduced()) <= reach).toList();
+        List<Fitter.State> out = new ArrayList<>(
+                sorted.stream().limit(most).takeWhile(fit -> Refinement.excess(fit.reduced()) <= reach).toList());
+        if (out.stream().map(this::claims).distinct().count() == 1) {
+            sorted.stream().filter(fit -> !claims(fit).equals(claims(sorted.get(0)))).findFirst().ifPresent(out::add);
+        }
+        return out;
     }
 
-    private static Set<String> claims(Fitter.State fit) {
-        List<Hypothesis> added = fit.candidate().added();
-        return both(added.get(added.size() - 2).claim(), added.get(added.size() - 1).claim());
+    /** Names of what comes to what they stand on. */
+    private Set<String> claims(Fitter.State fit) {
+        return fit.candidate().added().stream().skip(base.candidate().added().size()).map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
     /** The best of each two names, those that take most first. */

@@ -1,10 +1,8 @@
 package wbv.diagnosis.search;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
@@ -24,19 +22,16 @@ public final class PairRivals {
     private final Evidence evidence;
     private final Search search;
     private final Fitter.State base;
-    private final BiConsumer<String, Double> progress;
 
     /**
      * Of pairs that were found on this evidence.
      *
      * @param base the model without any mechanism, fitted
-     * @param progress told the step and the share of it that is done
      */
-    public PairRivals(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
+    public PairRivals(Evidence evidence, Search search, Fitter.State base) {
         this.evidence = evidence;
         this.search = search;
         this.base = base;
-        this.progress = progress;
     }
 
     /**

@@ -1,0 +1,134 @@
+package wbv.diagnosis.search;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.Set;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import wbv.body.Model;
+import wbv.body.ModelFile;
+import wbv.diagnosis.Bench;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.recording.Channel;
+
+/** Two masses in a row, stepped by {@link Bench}, of which two things are concealed at once: the pair that comes first has both names. */
+class MeasuredHeatsTest {
+
+    private static final double[] MASS = {2, 1};
+    private static final double[] STIFFNESS = {8000, 3000};
+    private static final double[] DAMPING = {12, 5};
+    private static final double TYPICAL = 0.005;
+
+    private record Asked(Evidence evidence, Search search, Fitter.State base) {
+
+        MeasuredHeats heats(Motion motion) {
+            return new MeasuredHeats(evidence, search.refinement(), base, motion, search.hypotheses(base));
+        }
+
+        Motion motion() {
+            return Motion.measured(evidence, base.candidate().at(base.x()));
+        }
+
+        /** All pairs of places. */
+        Set<Set<Place>> places(Twins twins) {
+            Set<Set<Place>> out = new HashSet<>();
+            List<Place> all = Place.all(evidence).stream().map(place -> twins.first(place.plain(base.candidate().template()))).distinct()
+                    .toList();
+            all.forEach(one -> all.stream().filter(other -> !other.equals(one)).forEach(other -> out.add(Set.of(one, other))));
+            return out;
+        }
+    }
+
+    /**
+     * @param cubic of the lower spring, over what would double it at the typical deflection [1]
+     * @param drag  of the upper link with the square of the speed [N s²/m²]
+     * @param gain  of the upper sensor [1]
+     */
+    private static Asked asked(long seed, double cubic, double drag, double gain) {
+        Random random = new Random(seed);
+        DoubleUnaryOperator push = Bench.tones(40, 4, 0.25, 14, random);
+        Bench bench = new Bench(200, 40, 10, MASS).run((t, x, v, out) -> {
+            double r = x[1] - x[0];
+            double u = v[1] - v[0];
+            double upper = STIFFNESS[1] * r + DAMPING[1] * u + drag * u * Math.abs(u);
+            double s = x[0] / TYPICAL;
+            out[0] = push.applyAsDouble(t) - STIFFNESS[0] * x[0] * (1 + cubic * s * s) - DAMPING[0] * v[0] + upper;
+            out[1] = -upper;
+        });
+        double[] lower = bench.sampled(bench.acceleration(0));
+        double[] upper = Arrays.stream(bench.sampled(bench.acceleration(1))).map(a -> gain * a).toArray();
+        double noise = 0.003 * Math.sqrt(Arrays.stream(lower).map(a -> a * a).average().orElseThrow());
+        Channel first = Channel.parse("mass.acc.z");
+        Channel second = Channel.parse("load.acc.z");
+        Model model = ModelFile.parse("{\"name\": \"bench\", \"subject\": \"rig\", \"base\": {\"name\": \"ground\", \"sensor\": null}, "
+                + "\"inputs\": [{\"body\": \"mass\", \"sensor\": \"mass.force.z\"}], \"bodies\": ["
+                + "{\"name\": \"mass\", \"mass_kg\": 2, \"sensor\": \"mass.acc.z\"}, "
+                + "{\"name\": \"load\", \"mass_kg\": 1, \"sensor\": \"load.acc.z\"}], \"links\": ["
+                + "{\"from\": \"ground\", \"to\": \"mass\", \"stiffness_N_per_m\": 7000, \"damping_Ns_per_m\": 15}, "
+                + "{\"from\": \"mass\", \"to\": \"load\", \"stiffness_N_per_m\": 3400, \"damping_Ns_per_m\": 4}]}", "bench");
+        Evidence evidence = new Evidence(model, bench.recording("mass.force.z", bench.sampled(push), first,
+                Bench.noisy(lower, noise, random), second, Bench.noisy(upper, noise, random)), OptionalDouble.of(noise),
+                OptionalDouble.empty());
+        Search search = new Search(evidence, (step, share) -> {});
+        return new Asked(evidence, search, search.base(Baseline.of(evidence)));
+    }
+
+    private static Set<String> claims(Fitter.State fit) {
+        return fit.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.5, 30, 1", "2, 0.5, 30, 1", "3, 0.5, 30, 1", "4, 0.5, 0, 0.85", "5, 0.5, 0, 0.85"})
+    void aPairHasBothNames(long seed, double cubic, double drag, double gain) {
+        Asked asked = asked(seed, cubic, drag, gain);
+        assertTrue(asked.base().reduced() > 100, "the linear model is far off: " + asked.base().reduced());
+        Twins twins = Twins.of(asked.evidence(), asked.base().candidate());
+        MeasuredHeats.Found found = asked.heats(asked.motion()).two(asked.places(twins), twins).orElseThrow();
+        Set<String> concealed = new HashSet<>();
+        if (cubic > 0) {
+            concealed.add("stiffness.hardening@ground-mass");
+        }
+        if (drag > 0) {
+            concealed.add("damping.quadratic@mass-load");
+        }
+        if (gain < 1) {
+            concealed.add("sensor.gain@load.acc.z");
+        }
+        assertEquals(concealed, claims(found.fit()), found.fit().reduced() + " left");
+        assertTrue(Refinement.explained(asked.base(), found.fit()) > 0.99, found.fit().reduced() + " left");
+        assertTrue(found.isAlone(), "nothing else leaves as little");
+    }
+
+    /** As the pair moves, what one part is beside the other is found at once, its plain form among all others. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void besideOnePartTheOtherIsFound(long seed) {
+        Asked asked = asked(seed, 0.5, 30, 1);
+        Twins twins = Twins.of(asked.evidence(), asked.base().candidate());
+        Fitter.State pair = asked.heats(asked.motion()).two(asked.places(twins), twins).orElseThrow().fit();
+        Hypothesis drag = pair.candidate().added().stream().filter(h -> h.mechanism().equals("damping.quadratic")).findFirst()
+                .orElseThrow();
+        Candidate without = asked.base().candidate().with(drag);
+        Fitter.State left = asked.search().fitter().lookWithSlopes(without, PlacePairs.without(pair, drag, without), pair.frame());
+        Motion motion = Motion.simulated(asked.evidence(), pair.candidate().at(pair.x()));
+        List<Hypothesis> all = asked.search().hypotheses(asked.base()).stream().filter(h -> !h.claim().equals(drag.claim())).toList();
+        List<Fitter.State> best = new MeasuredHeats(asked.evidence(), asked.search().refinement(), left, motion, all).best(2);
+        assertEquals("stiffness.hardening@ground-mass", best.get(0).candidate().last().claim());
+        assertTrue(best.get(1).reduced() > 2 * best.get(0).reduced(), best.get(1).reduced() + " next");
+    }
+}
