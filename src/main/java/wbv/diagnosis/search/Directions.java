@@ -2,7 +2,6 @@ package wbv.diagnosis.search;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.SensorFault;
@@ -38,8 +37,6 @@ public final class Directions {
     private final Lateness late;
     /** What the model does; not all of it need be asked for. */
     private final Simulator.Response there;
-    /** Readings of the outputs as measured: the model's, and what they show above their noise; spectra by output. */
-    private final List<double[]> read;
 
     /**
      * At a fit.
@@ -56,26 +53,36 @@ public final class Directions {
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(fitted);
         this.there = simulator.run(fitted, false);
-        this.read = IntStream.range(0, there.outputs().length).mapToObj(this::read).toList();
         Nuisances small = state.frame().nuisances();
         this.late = small.delays().lateness(evidence.excitation().omega(), small.off(state.candidate()), there.outputs().length);
     }
 
     /**
-     * Whitened change of the residual, as long as that, that a hypothesis makes at given values.
+     * Whitened change of the residual, as long as that, that a hypothesis makes at given values: of laws that are not linear along the
+     * motion as measured, of all else to the model as it is.
      *
      * @param values by number, in its unit. Not modified.
      */
     public double[] of(Hypothesis hypothesis, Candidate with, double[] values) {
+        return isInLink(hypothesis) && hypothesis.runsFree() ? of(link(hypothesis), force(hypothesis, values))
+                : seen(changed(changed(hypothesis, with, values)));
+    }
+
+    /** The same along what was measured, of whatever that tells. */
+    double[] measured(Hypothesis hypothesis, Candidate with, double[] values) {
         if (isInLink(hypothesis)) {
             return of(link(hypothesis), force(hypothesis, values));
         }
-        Assembly changed = with.at(state.candidate().extended(state.x(), with, hypothesis, values));
+        Assembly changed = changed(hypothesis, with, values);
         return hypothesis.additions().stream().allMatch(Addition.OfSensor.class::isInstance)
                 ? seen(misread(hypothesis, changed).orElseGet(() -> changed(changed)))
                 : hypothesis.additions().get(0) instanceof Addition.Hidden hidden && !hypothesis.runsFree()
                         ? ofHidden(hidden.body(), changed)
                         : seen(changed(changed));
+    }
+
+    private Assembly changed(Hypothesis hypothesis, Candidate with, double[] values) {
+        return with.at(state.candidate().extended(state.x(), with, hypothesis, values));
     }
 
     /** What an output reads: the model's, and what shows above its noise beside that. */
@@ -103,11 +110,12 @@ public final class Directions {
         for (Addition addition : hypothesis.additions()) {
             int output = ((Addition.OfSensor) addition).output();
             List<SensorFault> faults = with.outputs().get(output).faults();
-            Optional<double[]> undone = simulator.undone(faults.get(faults.size() - 1), read.get(output));
+            double[] read = read(output);
+            Optional<double[]> undone = simulator.undone(faults.get(faults.size() - 1), read);
             if (undone.isEmpty()) {
                 return Optional.empty();
             }
-            Spectra.add(out[output], read.get(output), 1);
+            Spectra.add(out[output], read, 1);
             Spectra.add(out[output], undone.get(), -1);
         }
         return Optional.of(out);

@@ -82,7 +82,7 @@ final class MeasuredHeats {
         this.along = new AlongMeasured(directions, base, motion);
         this.starts = new MeasuredStarts(directions, base, along);
         this.products = along.products(Parallel.map(looked,
-                each -> directions.of(each.hypothesis(), base.candidate().with(each.hypothesis()), each.values())));
+                each -> directions.measured(each.hypothesis(), base.candidate().with(each.hypothesis()), each.values())));
     }
 
     private Looked looked(Hypothesis hypothesis, Start start) {
