@@ -134,13 +134,6 @@ public final class Simulator {
                 .toArray(double[][]::new);
     }
 
-    /** Acceleration of each body [m/s²], whether measured or not, as spectra; sensor faults left out. */
-    public double[][] accelerations(Assembly assembly) {
-        List<Assembly.Output> all = IntStream.range(0, assembly.structure().bodies())
-                .mapToObj(b -> new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())).toList();
-        return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
-    }
-
     /** How far each link's lower end is lifted beside the motion of the bodies [m], as spectra; empty where nothing lifts it. */
     private double[][] lifts(Assembly assembly) {
         DriveForces drives = new DriveForces(excitation, assembly, link -> new double[0]);

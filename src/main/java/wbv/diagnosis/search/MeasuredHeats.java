@@ -103,7 +103,8 @@ final class MeasuredHeats {
         List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.PLACES);
         Set<Set<String>> names = new HashSet<>();
         List<Fitter.State> last = heat.stream().filter(fit -> names.add(claims(fit))).limit(most).toList();
-        return Trial.sorted(Parallel.map(last, refinement::polish)).stream().filter(fit -> !fit.failed()).toList();
+        return Parallel.map(last, refinement::polish).stream().filter(fit -> !fit.failed())
+                .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
 
     private Optional<Single> single(int one) {

@@ -221,18 +221,6 @@ final class PlacePairs {
     }
 
     /**
-     * Numbers of a pair: those without its last part, and that part's as a fit has them.
-     *
-     * @param x coordinates without it [1], one a knob. Not modified.
-     * @return coordinates [1], one a knob of the pair
-     */
-    static double[] with(Fitter.State last, double[] x, Candidate pair) {
-        double[] out = Arrays.copyOf(x, pair.knobs().size());
-        copy(last.candidate().last(), last, pair, out);
-        return out;
-    }
-
-    /**
      * Carries the numbers of a hypothesis over from a fit.
      *
      * @param x filled in

@@ -61,15 +61,6 @@ final class ShownBeside {
         return shown;
     }
 
-    /**
-     * At one place.
-     *
-     * @param x the base's numbers as they fit beside both: coordinates [1], one a knob. Not modified.
-     */
-    Shown at(Place ignored, Place place, double[] x) {
-        return once(ignored, Set.of(place), () -> sought(ignored, Map.of(place, x)));
-    }
-
     private Shown once(Place ignored, Set<Place> places, Supplier<Shown> seek) {
         return evidence.known().once(new Asked(base.x(), ignored, Set.copyOf(places)), Shown.class, seek);
     }
