@@ -44,7 +44,7 @@ final class FirstMechanisms {
                 .or(this::parts).or(() -> first).orElseGet(sought);
     }
 
-    /** Whether two mechanisms at two places explain nearly all where no one place will do. */
+    /** Whether two mechanisms at two places explain nearly all, or leave no more than places do, where no one place will do. */
     boolean isPair() {
         return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
                 && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair) || leavesScatter(pair)).isPresent();
