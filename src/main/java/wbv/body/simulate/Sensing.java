@@ -9,7 +9,7 @@ import wbv.body.number.Numbers;
 /** What a faulty sensor makes of the true reading, and of its derivatives. */
 final class Sensing {
 
-    /** Part of the power of a line that a filter lets through at least where what was there can be told [1]. */
+    /** Part of a line's power that a filter lets through at least where what was there is told [1]: a thousandth of it, below any noise. */
     private static final double LEAST = 1e-6;
 
     private final Excitation excitation;

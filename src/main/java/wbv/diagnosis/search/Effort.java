@@ -81,7 +81,7 @@ public final class Effort {
     public static final int ROUNDS = 3;
     /** Stretches of a recording of which each is looked at by itself, to see how something scatters (Schmeiser 1982: ten to thirty). */
     public static final int STRETCHES = 12;
-    /** Times as strong as it was looked at, either way, that what has no amplitude may seem to be and is meant as it is [1]. */
+    /** Times as strong as it was looked at, either way, that what has no amplitude may seem to be and is still tried as it is [1]. */
     public static final double NEAR_ONE = 20;
     /** Part of a number by which it is moved to see what that does [1]. */
     public static final double DIFFERENCE = 1e-3;

@@ -187,13 +187,13 @@ final class MeasuredHeats {
     /** The best of each two names, those that take most first. */
     private List<Pair> pairs(Set<Set<Place>> places, Twins twins) {
         Map<Set<String>, Pair> best = new HashMap<>();
+        List<Place> first = looked.stream().map(each -> twins.first(each.place())).toList();
+        List<String> claims = looked.stream().map(each -> each.hypothesis().claim()).toList();
         for (int i = 0; i < looked.size(); i++) {
             for (int j = 0; j < i; j++) {
-                Looked one = looked.get(i);
-                Looked other = looked.get(j);
-                if (places.contains(both(twins.first(one.place()), twins.first(other.place())))) {
-                    pair(i, j).ifPresent(pair -> best.merge(both(one.hypothesis().claim(), other.hypothesis().claim()), pair,
-                            (a, b) -> a.gain() < b.gain() ? b : a));
+                if (places.contains(both(first.get(i), first.get(j)))) {
+                    Set<String> names = both(claims.get(i), claims.get(j));
+                    pair(i, j).ifPresent(pair -> best.merge(names, pair, (a, b) -> a.gain() < b.gain() ? b : a));
                 }
             }
         }
