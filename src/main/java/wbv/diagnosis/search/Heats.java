@@ -3,10 +3,8 @@ package wbv.diagnosis.search;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
@@ -21,10 +19,8 @@ final class Heats {
     private final Evidence evidence;
     private final Refinement refinement;
     private final Fitter fitter;
-    private final Supplier<MeasuredStarts> measured;
 
-    Heats(Evidence evidence, Refinement refinement, Fitter fitter, Supplier<MeasuredStarts> measured) {
-        this.measured = measured;
+    Heats(Evidence evidence, Refinement refinement, Fitter fitter) {
         this.evidence = evidence;
         this.refinement = refinement;
         this.fitter = fitter;
@@ -47,15 +43,13 @@ final class Heats {
         Function<Hypothesis, double[]> from = from(base, where, bent);
         Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? refinement.brief(base).orElse(whole) : whole;
-        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from,
-                Optional.empty());
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < Priors.UNLISTED * Refinement.excess(base.reduced());
         if (promising) {
             goOn(base, heat);
         }
         if (!promising || !clean(base, heat.get(0))) {
-            Optional<MeasuredStarts> strong = bent || base.reduced() > Priors.GLARING ? Optional.of(measured.get()) : Optional.empty();
-            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from, strong));
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
             goOn(base, heat);
         }
         int finalists = near(heat, second ? Effort.FINALISTS / 2 : Effort.FINALISTS);
@@ -96,19 +90,14 @@ final class Heats {
         return hypothesis.isLate() || evidence.model().driven() ? Integer.MAX_VALUE : 1;
     }
 
-    /**
-     * The first steps of each, least cost first.
-     *
-     * @param strong what is known of the strong ones among them
-     */
+    /** The first steps of each, least cost first. */
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
-            Function<Hypothesis, double[]> from, Optional<MeasuredStarts> strong) {
+            Function<Hypothesis, double[]> from) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
         List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains)
-                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()),
-                            strong.flatMap(starts -> starts.of(score.candidate(), score.hypothesis())));
+                    : Trial.begun(ground, score, from.apply(score.hypothesis()), begun(score.hypothesis()));
         }));
         out.sort(LEAST);
         return out;

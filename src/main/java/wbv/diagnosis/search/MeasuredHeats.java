@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -100,7 +101,7 @@ final class MeasuredHeats {
         }
         List<Single> first = best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed())
                 .limit(Effort.CONTENDERS).toList();
-        List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.PLACES);
+        List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.CONTENDERS);
         Set<Set<String>> names = new HashSet<>();
         List<Fitter.State> last = heat.stream().filter(fit -> names.add(claims(fit))).limit(most).toList();
         return Parallel.map(last, refinement::polish).stream().filter(fit -> !fit.failed())
@@ -115,16 +116,36 @@ final class MeasuredHeats {
                 : Optional.empty();
     }
 
-    /** The first step of one by free run, from the shape that the measured motion has, where it is a law in a link. */
+    /** The first step of one by free run, also from the shape that the measured motion has, where it is a law in a link. */
     private Fitter.State begun(Single single) {
         Looked one = looked.get(single.one());
         Candidate with = base.candidate().with(one.hypothesis());
-        double[] x = starts.of(with, one.hypothesis()).orElseGet(() -> {
-            double[] numbers = base.x().clone();
-            along.move(numbers, products.numbers(Map.of(single.one(), single.strength())));
-            return base.candidate().extended(numbers, with, one.hypothesis(), one.times(single.strength()).orElseThrow());
-        });
-        return fitter.fit(with, x, base.frame(), 1, Effort.ROUGH);
+        double[] values = one.times(single.strength()).orElseThrow();
+        double[] sized = base.candidate().extended(moved(Map.of(single.one(), single.strength())), with, one.hypothesis(), values);
+        return begun(with, Stream.concat(Stream.of(sized), starts.of(with, one.hypothesis()).stream()));
+    }
+
+    /** The model's numbers beside some of those that were looked at, as the measured motion has them. */
+    private double[] moved(Map<Integer, Double> strengths) {
+        double[] x = base.x().clone();
+        along.move(x, products.numbers(strengths));
+        return x;
+    }
+
+    /**
+     * The first step by free run from the best of some starts, and of the same with the model's numbers as fitted without: along a motion
+     * that is measured with sensors that err, numbers go far that a free run must pay for.
+     */
+    private Fitter.State begun(Candidate with, Stream<double[]> starts) {
+        return starts.flatMap(x -> Stream.of(x, asFitted(x))).map(x -> fitter.look(with, x, base.frame()))
+                .min(Comparator.comparingDouble(Fitter.State::cost))
+                .map(first -> fitter.fit(with, first.x(), base.frame(), 1, Effort.ROUGH)).orElseThrow();
+    }
+
+    private double[] asFitted(double[] x) {
+        double[] out = x.clone();
+        System.arraycopy(base.x(), 0, out, 0, base.x().length);
+        return out;
     }
 
     /**
@@ -221,16 +242,15 @@ final class MeasuredHeats {
                 : Optional.empty();
     }
 
-    /** The first step of both by free run, from where the measured motion has them and the model's numbers beside them. */
+    /** The first step of both by free run. */
     private Fitter.State begun(Pair pair) {
         Looked one = looked.get(pair.one());
         Looked other = looked.get(pair.other());
-        double[] x = base.x().clone();
-        along.move(x, products.numbers(Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1])));
+        double[] x = moved(Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1]));
         Candidate first = base.candidate().with(one.hypothesis());
         Candidate both = first.with(other.hypothesis());
         x = base.candidate().extended(x, first, one.hypothesis(), one.times(pair.strengths()[0]).orElseThrow());
         x = first.extended(x, both, other.hypothesis(), other.times(pair.strengths()[1]).orElseThrow());
-        return fitter.fit(both, x, base.frame(), 1, Effort.ROUGH);
+        return begun(both, Stream.of(x));
     }
 }

@@ -97,7 +97,25 @@ public final class Search {
      * @param where which hypotheses to try
      */
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
-        return leaders(base, polished, where, score -> true);
+        List<Fitter.State> measured = base.reduced() > Priors.GLARING ? alongMeasured(base, polished, where) : List.of();
+        return measured.stream().anyMatch(fit -> fit.reduced() < Math.max(where.reach(), Refinement.form(base))) ? measured
+                : Stream.concat(measured.stream(), leaders(base, polished, where, score -> true).stream())
+                        .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
+    }
+
+    /** The same as they race from where the measured motion has them: of a mismatch so plain that this shows more than noise. */
+    private List<Fitter.State> alongMeasured(Fitter.State base, int polished, Whereabouts where) {
+        progress.accept("refitting", 0.3);
+        Assembly fitted = base.candidate().at(base.x());
+        Motion motion = Motion.measured(evidence, fitted);
+        List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
+        return withForms(base, all, new MeasuredHeats(evidence, refinement, base, motion, open(base, all, where)).best(polished));
+    }
+
+    /** Those that may be added where they may act: in no form twice at one place. */
+    private static List<Hypothesis> open(Fitter.State base, List<Hypothesis> all, Whereabouts where) {
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
+        return all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList();
     }
 
     /**
@@ -125,16 +143,10 @@ public final class Search {
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = Motion.measured(evidence, fitted);
         List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
-        // In no form twice at one place.
-        Set<String> used = base.candidate().added().stream().map(Hypothesis::claim).collect(Collectors.toSet());
-        Screening screening = new Screening(evidence, base, motion);
-        List<Screening.Score> scores = screening
-                .scores(all.stream().filter(h -> !used.contains(h.claim())).filter(where::likely).toList()).stream().filter(open).toList();
+        List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open(base, all, where)).stream().filter(open)
+                .toList();
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = new Heats(evidence, refinement, fitter,
-                () -> new MeasuredStarts(screening.directions(), base, new AlongMeasured(screening.directions(), base, motion)))
-                .refit(base,
-                        scores, where);
+        List<Fitter.State> fits = new Heats(evidence, refinement, fitter).refit(base, scores, where);
         // A rival far behind does not come up by polishing, but for what promised most and has not got there yet.
         double reach = fits.isEmpty() ? 0 : 1 + Effort.HOPELESS * Refinement.excess(fits.get(0).reduced());
         List<Fitter.State> ahead = fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).toList();
@@ -143,6 +155,12 @@ public final class Search {
                 .filter(fit -> ahead.contains(fit) || promising.stream().anyMatch(score -> score.promisesMore(base, fit))).toList();
         List<Fitter.State> out = new ArrayList<>(Parallel.map(chosen, refinement::polishFromBoth));
         fits.stream().filter(fit -> !chosen.contains(fit)).forEach(out::add);
+        return withForms(base, all, out);
+    }
+
+    /** Fits with rivals of the first of them in other forms, least first. */
+    private List<Fitter.State> withForms(Fitter.State base, List<Hypothesis> all, List<Fitter.State> fits) {
+        List<Fitter.State> out = new ArrayList<>(fits);
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!out.isEmpty()) {
             double near = 1 + Effort.BEHIND * Refinement.excess(out.get(0).reduced());

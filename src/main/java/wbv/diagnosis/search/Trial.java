@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
@@ -38,9 +37,8 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      *
      * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
      * @param most starts that are begun
-     * @param strong coordinates of the candidate that are begun as well, the model's numbers among them. Not modified.
      */
-    static Trial begun(Ground ground, Screening.Score score, double[] from, int most, Optional<double[]> strong) {
+    static Trial begun(Ground ground, Screening.Score score, double[] from, int most) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
@@ -51,8 +49,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        List<Fitter.State> begun = sorted(Stream.concat(begun(ground, score, starts, from, most, Arrays.equals(from, base.x())),
-                strong.stream().map(x -> ground.fitter().fit(with, x, base.frame(), steps(score, false), Effort.ROUGH))).toList());
+        List<Fitter.State> begun = sorted(begun(ground, score, starts, from, most, Arrays.equals(from, base.x())).toList());
         return new Trial(ground, begun.stream().takeWhile(fit -> !(fit.cost() > Effort.BEHIND * begun.get(0).cost())).toList());
     }
 

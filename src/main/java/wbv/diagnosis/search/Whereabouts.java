@@ -139,6 +139,15 @@ public final class Whereabouts {
         return likely.test(hypothesis);
     }
 
+    /**
+     * What a fit leaves, as a mean square of the whitened residual, that no other leaves much less than wherever it acts; what cannot be
+     * noise where nothing is known of places.
+     */
+    double reach() {
+        return places.found().isEmpty() || Double.isNaN(places.found().get(0).reduced()) ? Priors.STRANGE
+                : Locator.reach(places.found(), Effort.BEHIND);
+    }
+
     /** The model's numbers as they fit beside whatever enters where a hypothesis acts. */
     Optional<double[]> unbent(Hypothesis hypothesis) {
         Place place = Place.plain(hypothesis, baseline);
