@@ -74,7 +74,7 @@ final class Conclusion {
     private Chosen chosen(Fitter.State best, List<Fitter.State> all) {
         boolean loud = best.reduced() > Priors.STRANGE && refinement.heldOut(best) > Priors.LOUD;
         boolean more = Refinement.explained(base, best) < Priors.NEARLY_ALL || best.reduced() > Priors.GLARING;
-        boolean much = loud && (more || inquiry.pairs().showsElsewhere(best)) && !isOneLaw(best);
+        boolean much = loud && (more || inquiry.pairs().showsElsewhere(best)) && (inquiry.pairs().isAtTwo() || !isOneLaw(best));
         Chosen chosen = much ? inquiry.pairs().best(best, all) : Chosen.single(best);
         return !much && base.reduced() > Priors.SILENT
                 ? new SecondMechanism(evidence, search, inquiry::pairs).of(best).orElse(chosen) : chosen;

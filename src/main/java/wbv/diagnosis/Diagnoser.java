@@ -188,7 +188,7 @@ public final class Diagnoser {
     }
 
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
-        Fitter.State best = leaders.stream().findFirst().orElse(base);   // what it leaves shows the person's own force
+        Fitter.State best = inquiry.pairs().most(leaders).orElse(base);   // what it leaves shows the person's own force
         Inquiry hearing = inquiry.hearingInput(best);
         return hearing == inquiry ? withForceLeft(leaders, best, where) : judged(hearing, leaders);
     }
@@ -197,19 +197,20 @@ public final class Diagnoser {
     private Diagnosed withForceLeft(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
         boolean quiet = best.reduced() < (evidence.acting().own().isEmpty() ? Priors.SILENT : Priors.NOISE);
         Optional<BodyForce> own = quiet ? Optional.empty() : inquiry.own(best);
-        return own.map(force -> judged(inquiry.knowing(force), leaders)).orElseGet(() -> withPush(leaders, best, where));
+        return own.map(force -> judged(inquiry.knowing(force), leaders)).orElseGet(() -> withPush(leaders, where));
     }
 
     /** The diagnosis where a strong force may be all that is missing, or hide what else is. */
-    private Diagnosed withPush(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
+    private Diagnosed withPush(List<Fitter.State> leaders, Whereabouts where) {
+        Fitter.State best = leaders.stream().findFirst().orElse(base);
         boolean strong = best.reduced() > Priors.STRANGE;
-        // A hidden mass looks like a push too, and so may a sitter's own force; so first they were asked for.
+        // So does a hidden mass, and a sitter's own force may: so first they were asked for.
         if (evidence.acting().push().isEmpty() && strong && inquiry.isPush()) {
             return Conclusion.of(inquiry, List.of());
         }
         // A strong push hides what else is missing: what shows beside it?
-        boolean open = best != base && strong && evidence.acting().push().isEmpty();
-        return (open ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough()) : Optional.<BodyForce>empty())
+        boolean hides = best != base && strong && evidence.acting().push().isEmpty();
+        return (hides ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough(best)) : Optional.<BodyForce>empty())
                 .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
                     // A rig has nobody on it who pushes.

@@ -74,7 +74,7 @@ final class Learning {
         LawLearner beside = new LawLearner(evidence, search, fits.best(), List.of());
         boolean promising = (doubts && near || lacks && !bounded) && beside.promises();
         Optional<Learnt> law = (refused || (doubts && (promising || !near)) ? law(fits, refused) : Optional.<Learnt>empty())
-                .filter(alone -> !pushed || Pushes.isTaken(fits.base().reduced(), alone.law().fit().reduced()));
+                .filter(alone -> !pushed || Refinement.isTaken(fits.base().reduced(), alone.law().fit().reduced()));
         boolean dressed = !Refinement.explainsNearlyAll(fits.base(), fits.best())
                 && law.filter(alone -> Refinement.explainsNearlyAll(fits.base(), alone.law().fit())).isPresent();
         Optional<Learnt> form = lacks && !dressed && (promising || bounded) ? form(fits, beside) : Optional.empty();

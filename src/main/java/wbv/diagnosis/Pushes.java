@@ -10,6 +10,7 @@ import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
 
 /** Forces that nobody measured, as what is missing. */
@@ -28,7 +29,7 @@ final class Pushes {
      */
     Optional<Explanation> instead(boolean named) {
         double left = grounds.base().reduced();
-        if (named && isTaken(left, grounds.best().reduced()) || left < Priors.STRANGE) {
+        if (named && Refinement.isTaken(left, grounds.best().reduced()) || left < Priors.STRANGE) {
             return Optional.empty();
         }
         Standing standing = grounds.standing();
@@ -75,17 +76,5 @@ final class Pushes {
         double rms = masses.factor() * force.rms();
         return new Diagnosis.Named(new UnmeasuredForce().word(), grounds.evidence().model().bodies().get(force.body()).name(), probability,
                 Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), grounds.base().reduced());
-    }
-
-    /**
-     * Whether a name takes a mismatch that a force of its own might make. Such a force, arbitrary as it is, leaves nothing of it; but where
-     * each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains x - ln(1 +
-     * x). And what a name takes most of is no force of its own, whatever the name leaves.
-     *
-     * @param without mean square of the whitened residual that the model without the name leaves
-     * @param with that the name leaves
-     */
-    static boolean isTaken(double without, double with) {
-        return with - 1 < Math.max(Priors.MAJORITY * Priors.MAJORITY * (without - 1), Math.log(without));
     }
 }

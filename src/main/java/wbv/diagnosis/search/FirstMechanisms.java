@@ -44,10 +44,26 @@ final class FirstMechanisms {
                 .or(this::parts).or(() -> first).orElseGet(sought);
     }
 
-    /** Whether two mechanisms at two places explain nearly all, or leave no more than places do, where no one place will do. */
-    boolean isPair() {
-        return evidence.outputs().size() >= Locator.FEWEST_OUTPUTS
-                && atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair) || leavesScatter(pair)).isPresent();
+    /**
+     * Whether two mechanisms at two places explain nearly all, or leave no more than places do, where no one place will do; or take what a
+     * force that nobody measured might make beside one of them.
+     */
+    boolean isPair(Fitter.State single) {
+        return atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair) || leavesScatter(pair)).isPresent()
+                || taking(single).isPresent();
+    }
+
+    /** What explains most: the pair along what was measured where no one place will do, or the first of those by themselves. */
+    Optional<Fitter.State> most(List<Fitter.State> leaders) {
+        Optional<Fitter.State> first = leaders.stream().findFirst();
+        return first.filter(single -> evidence.outputs().size() > 1 && !places.mayBeOne()).flatMap(this::taking).or(() -> first);
+    }
+
+    /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
+    private Optional<Fitter.State> taking(Fitter.State single) {
+        return evidence.outputs().size() == 1 ? Optional.empty()
+                : places.measured().map(MeasuredHeats.Found::fit)
+                        .filter(pair -> Refinement.isTaken(single.reduced(), pair.reduced()));
     }
 
     /**
@@ -60,12 +76,25 @@ final class FirstMechanisms {
 
     /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
     Optional<Fitter.State> atTwo() {
+        if (evidence.outputs().size() == 1) {
+            return Optional.empty();
+        }
         Place first = places.likeliest();
         TwoPlaces.Looked looked = places.looked(first);
         double alone = Refinement.excess(Locator.left(looked.singles(), first));
-        List<Known.Ignoring> pairs = alone > PairSearch.QUIET ? places.pairs(looked) : List.of();
-        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty()
-                : places.pair(pairs, List.of()).filter(this::leavesLess);
+        return alone > PairSearch.QUIET ? measured().or(() -> ignoring(first, alone, looked)).filter(this::leavesLess) : Optional.empty();
+    }
+
+    /** The pair along what was measured, if none can explain much more. */
+    private Optional<Fitter.State> measured() {
+        return places.measured().filter(pair -> pair.fit().reduced() < Refinement.form(base)
+                || pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit())).map(MeasuredHeats.Found::fit).filter(this::leavesLess);
+    }
+
+    /** The pair of which each part shows while whatever acts at the other's place is ignored. */
+    private Optional<Fitter.State> ignoring(Place first, double alone, TwoPlaces.Looked looked) {
+        List<Known.Ignoring> pairs = looked.locator().isBlindToTwo() ? List.of() : places.pairs(looked);
+        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty() : places.pair(pairs, List.of());
     }
 
     /** A fit of one hypothesis of a pair without the other. */

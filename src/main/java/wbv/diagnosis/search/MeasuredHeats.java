@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -159,9 +160,9 @@ final class MeasuredHeats {
     /**
      * The pair that fits best after a race; empty where none may be.
      *
-     * @param places sets of two places where they may act, of twins the first
+     * @param places whether they may act at two places, of twins the first
      */
-    Optional<Found> two(Set<Set<Place>> places, Twins twins) {
+    Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
         List<Fitter.State> heat = race(Parallel.map(pairs(places, twins), this::begun), Effort.CONTENDERS);
         return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polish).stream().filter(fit -> !fit.failed())
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
@@ -206,13 +207,13 @@ final class MeasuredHeats {
     }
 
     /** The best of each two names, those that take most first. */
-    private List<Pair> pairs(Set<Set<Place>> places, Twins twins) {
+    private List<Pair> pairs(Predicate<Set<Place>> places, Twins twins) {
         Map<Set<String>, Pair> best = new HashMap<>();
         List<Place> first = looked.stream().map(each -> twins.first(each.place())).toList();
         List<String> claims = looked.stream().map(each -> each.hypothesis().claim()).toList();
         for (int i = 0; i < looked.size(); i++) {
             for (int j = 0; j < i; j++) {
-                if (places.contains(both(first.get(i), first.get(j)))) {
+                if (!first.get(i).equals(first.get(j)) && places.test(Set.of(first.get(i), first.get(j)))) {
                     Set<String> names = both(claims.get(i), claims.get(j));
                     pair(i, j).ifPresent(pair -> best.merge(names, pair, (a, b) -> a.gain() < b.gain() ? b : a));
                 }

@@ -65,7 +65,13 @@ public final class PairSearch {
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
         // To one output every place explains everything.
         return evidence.outputs().size() == 1 ? likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true))
-                : byPlaces(single, leaders);
+                : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
+    }
+
+    /** The pair that leaves far less than whatever enters at any one place, where that outweighs the single one. */
+    private Optional<Chosen> atTwo(Fitter.State single) {
+        return firsts.atTwo().map(fit -> new Chosen(fit, price(hypothesis -> true)))
+                .filter(pair -> refinement.outweighs(pair, Chosen.single(single))).map(pair -> likeliest(single, List.of(pair)));
     }
 
     private Chosen byPlaces(Fitter.State single, List<Fitter.State> leaders) {
@@ -127,9 +133,22 @@ public final class PairSearch {
         return firsts.leaders(sought);
     }
 
-    /** Whether two mechanisms at two places explain nearly all where no one place will do: nothing hides what else is missing then. */
-    public boolean isEnough() {
-        return firsts.isPair();
+    /**
+     * Whether two mechanisms at two places explain nearly all where no one place will do, or take what a force that nobody measured might
+     * make beside a single one: nothing hides what else is missing then.
+     */
+    public boolean isEnough(Fitter.State single) {
+        return firsts.isPair(single);
+    }
+
+    /** What explains most: a pair at two places where no one place will do, or the first of some; empty where there is neither. */
+    public Optional<Fitter.State> most(List<Fitter.State> leaders) {
+        return firsts.most(leaders);
+    }
+
+    /** Whether two mechanisms at two places leave far less than whatever enters at any one of them. */
+    public boolean isAtTwo() {
+        return firsts.atTwo().isPresent();
     }
 
     /** Whether more than noise is left elsewhere than where a mechanism acts, whatever that does there. */

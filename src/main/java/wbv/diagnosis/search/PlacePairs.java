@@ -80,7 +80,7 @@ final class PlacePairs {
                 .collect(Collectors.toSet());
         return new MeasuredHeats(evidence, refinement, base, Motion.measured(evidence, base.candidate().at(base.x())),
                 search.hypotheses(base))
-                .two(near, twins);
+                .two(near::contains, twins);
     }
 
     /**

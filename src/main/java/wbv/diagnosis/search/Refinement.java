@@ -85,6 +85,18 @@ public final class Refinement {
         return 1 + Priors.FORM * Priors.FORM * (base.reduced() - 1);
     }
 
+    /**
+     * Whether a name takes a mismatch that a force of its own might make. Such a force, arbitrary as it is, leaves nothing of it; but where
+     * each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains x - ln(1 +
+     * x). And what a name takes most of is no force of its own, whatever the name leaves.
+     *
+     * @param without mean square of the whitened residual that the model without the name leaves
+     * @param with that the name leaves
+     */
+    public static boolean isTaken(double without, double with) {
+        return with - 1 < Math.max(Priors.MAJORITY * Priors.MAJORITY * (without - 1), Math.log(without));
+    }
+
     /** A trial fitted to its end, in the whitening of what it stands on. */
     Fitter.State finish(Fitter.State begun, Fitter.State base) {
         return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), Effort.FINAL_STEPS, Effort.ROUGH), 1);

@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 
 /**
@@ -39,6 +40,10 @@ final class TwoPlaces {
     private record Pair(Optional<Fitter.State> fit) {}
 
     private record Beside(List<Known.Ignoring> singles) {}
+
+    private record On(Fitter.State base) {}
+
+    private record Measured(Optional<MeasuredHeats.Found> found) {}
 
     /** Where all that is missing enters most likely, if it does at one place. */
     Place likeliest() {
@@ -79,6 +84,16 @@ final class TwoPlaces {
     Optional<Fitter.State> pair(List<Known.Ignoring> places, List<Fitter.State> leaders) {
         return evidence.known().once(new Apart(places), Pair.class,
                 () -> new Pair(new PlacePairs(evidence, search, progress).pair(base, places, leaders))).fit();
+    }
+
+    /** The pair at any two places that fits best along what was measured. */
+    Optional<MeasuredHeats.Found> measured() {
+        return evidence.known().once(new On(base), Measured.class, () -> {
+            progress.accept("pairs", 0.4);
+            Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
+            return new Measured(new MeasuredHeats(evidence, search.refinement(), base, motion, search.hypotheses(base))
+                    .two(both -> true, Twins.of(evidence, base.candidate())));
+        }).found();
     }
 
     /**
