@@ -203,14 +203,13 @@ public final class Diagnoser {
     /** The diagnosis where a strong force may be all that is missing, or hide what else is. */
     private Diagnosed withPush(List<Fitter.State> leaders, Whereabouts where) {
         Fitter.State best = leaders.stream().findFirst().orElse(base);
-        boolean strong = best.reduced() > Priors.STRANGE;
-        // So does a hidden mass, and a sitter's own force may: so first they were asked for.
-        if (evidence.acting().push().isEmpty() && strong && inquiry.isPush()) {
+        boolean strong = best.reduced() > Priors.STRANGE && evidence.acting().push().isEmpty();
+        // A hidden mass looks like a push too, and so may a sitter's own force; so first they were asked for.
+        if (strong && inquiry.isPush()) {
             return Conclusion.of(inquiry, List.of());
         }
         // A strong push hides what else is missing: what shows beside it?
-        boolean hides = best != base && strong && evidence.acting().push().isEmpty();
-        return (hides ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough(best)) : Optional.<BodyForce>empty())
+        return (strong && best != base ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough(best)) : Optional.<BodyForce>empty())
                 .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
                     // A rig has nobody on it who pushes.

@@ -1,6 +1,5 @@
 package wbv.diagnosis.search;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -11,7 +10,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.simulate.ModulatorSeries;
@@ -40,6 +38,7 @@ final class MeasuredHeats {
     private final List<Looked> looked;
     private final AlongMeasured.Products products;
     private final MeasuredStarts starts;
+    private final Race race;
 
     /**
      * A mechanism as it is looked at.
@@ -79,6 +78,7 @@ final class MeasuredHeats {
         this.refinement = refinement;
         this.fitter = new Fitter(evidence).about(base);
         this.base = base;
+        this.race = new Race(fitter, base);
         Directions directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
         this.looked = hypotheses.stream().flatMap(h -> h.starts().stream().map(start -> looked(h, start))).toList();
         this.along = new AlongMeasured(directions, base, motion);
@@ -102,9 +102,9 @@ final class MeasuredHeats {
         }
         List<Single> first = best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed())
                 .limit(Effort.CONTENDERS).toList();
-        List<Fitter.State> heat = race(Parallel.map(first, this::begun), Effort.CONTENDERS);
+        List<Fitter.State> heat = race.last(Parallel.map(first, this::begun));
         Set<Set<String>> names = new HashSet<>();
-        List<Fitter.State> last = heat.stream().filter(fit -> names.add(claims(fit))).limit(most).toList();
+        List<Fitter.State> last = heat.stream().filter(fit -> names.add(race.claims(fit))).limit(most).toList();
         return Parallel.map(last, refinement::polish).stream().filter(fit -> !fit.failed())
                 .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
@@ -163,47 +163,14 @@ final class MeasuredHeats {
      * @param places whether they may act at two places, of twins the first
      */
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
-        List<Fitter.State> heat = race(Parallel.map(pairs(places, twins), this::begun), Effort.CONTENDERS);
+        List<Fitter.State> heat = race.last(Parallel.map(pairs(places, twins), this::begun));
         return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polish).stream().filter(fit -> !fit.failed())
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
     }
 
     private boolean isAlone(Fitter.State first, List<Fitter.State> heat) {
-        return heat.stream().filter(fit -> !claims(fit).equals(claims(first)))
+        return heat.stream().filter(fit -> !race.claims(fit).equals(race.claims(first)))
                 .allMatch(fit -> Refinement.excess(fit.reduced()) > Effort.BEHIND * Refinement.excess(first.reduced()));
-    }
-
-    /**
-     * Fewer and fewer of some fits, a few steps further each time.
-     *
-     * @param begun in any order
-     * @param most that go on at first
-     * @return the last few, two names among them, best first
-     */
-    private List<Fitter.State> race(List<Fitter.State> begun, int most) {
-        List<Fitter.State> heat = begun;
-        for (int left = most; left >= Effort.PLACES; left /= 2) {
-            heat = Parallel.map(ahead(heat, left),
-                    fit -> fitter.fit(fit.candidate(), fit.x(), fit.frame(), Effort.SECONDS, Effort.ROUGH));
-        }
-        return ahead(heat, most);
-    }
-
-    /** Those that are not given up yet, and the first of another name in any case, which tells what the name of the first is worth. */
-    private List<Fitter.State> ahead(List<Fitter.State> fits, int most) {
-        List<Fitter.State> sorted = Trial.sorted(fits).stream().filter(fit -> !fit.failed()).toList();
-        double reach = sorted.isEmpty() ? 0 : Effort.HOPELESS * Refinement.excess(sorted.get(0).reduced());
-        List<Fitter.State> out = new ArrayList<>(
-                sorted.stream().limit(most).takeWhile(fit -> Refinement.excess(fit.reduced()) <= reach).toList());
-        if (out.stream().map(this::claims).distinct().count() == 1) {
-            sorted.stream().filter(fit -> !claims(fit).equals(claims(sorted.get(0)))).findFirst().ifPresent(out::add);
-        }
-        return out;
-    }
-
-    /** Names of what comes to what they stand on. */
-    private Set<String> claims(Fitter.State fit) {
-        return fit.candidate().added().stream().skip(base.candidate().added().size()).map(Hypothesis::claim).collect(Collectors.toSet());
     }
 
     /** The best of each two names, those that take most first. */

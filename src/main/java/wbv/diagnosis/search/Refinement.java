@@ -90,8 +90,8 @@ public final class Refinement {
      * each line has x times the noise's power, of which a name explains a part η, the name gains ηx, and whatever process gains x - ln(1 +
      * x). And what a name takes most of is no force of its own, whatever the name leaves.
      *
-     * @param without mean square of the whitened residual that the model without the name leaves
-     * @param with that the name leaves
+     * @param without mean square of the whitened residual that the model without the name leaves [1]
+     * @param with likewise, what the name leaves [1]
      */
     public static boolean isTaken(double without, double with) {
         return with - 1 < Math.max(Priors.MAJORITY * Priors.MAJORITY * (without - 1), Math.log(without));
