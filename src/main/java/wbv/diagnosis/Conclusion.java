@@ -3,8 +3,10 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import wbv.body.law.Learned;
+import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
@@ -48,6 +50,21 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
+        // A person's own force beside two mechanisms shows in what both leave, which one of them hides.
+        Optional<BodyForce> own = first.fit().candidate().added().size() > 1 ? inquiry.own(first.fit()) : Optional.empty();
+        return own.map(force -> new Conclusion(inquiry.knowing(force)).again(first, fits)).orElseGet(() -> of(first, fits));
+    }
+
+    /** The conclusion where more counts as noise than where a pair was found. */
+    private Diagnosed again(Chosen pair, List<Fitter.State> leaders) {
+        List<Fitter.State> fits = inquiry.again(leaders);
+        Chosen single = Chosen.single(simplest(fits));
+        Chosen two = new Chosen(refinement.polish(pair.fit()), pair.price());
+        return of(refinement.outweighs(two, single) ? two : single, fits);
+    }
+
+    /** @param fits single mechanisms, of which the first may be one */
+    private Diagnosed of(Chosen first, List<Fitter.State> fits) {
         PairRivals rivals = new PairRivals(evidence, search, base);
         List<Fitter.State> pairs = rivals.with(first.fit());
         Chosen chosen = rivals.likeliest(first, pairs);

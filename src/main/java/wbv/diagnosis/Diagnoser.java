@@ -188,7 +188,7 @@ public final class Diagnoser {
     }
 
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
-        Fitter.State best = inquiry.pairs().most(leaders).orElse(base);   // what it leaves shows the person's own force
+        Fitter.State best = leaders.stream().findFirst().orElse(base);   // what it leaves shows the person's own force
         Inquiry hearing = inquiry.hearingInput(best);
         return hearing == inquiry ? withForceLeft(leaders, best, where) : judged(hearing, leaders);
     }

@@ -53,12 +53,6 @@ final class FirstMechanisms {
                 || taking(single).isPresent();
     }
 
-    /** What explains most: the pair along what was measured where no one place will do, or the first of those by themselves. */
-    Optional<Fitter.State> most(List<Fitter.State> leaders) {
-        Optional<Fitter.State> first = leaders.stream().findFirst();
-        return first.filter(single -> evidence.outputs().size() > 1 && !places.mayBeOne()).flatMap(this::taking).or(() -> first);
-    }
-
     /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
     private Optional<Fitter.State> taking(Fitter.State single) {
         return evidence.outputs().size() == 1 ? Optional.empty()

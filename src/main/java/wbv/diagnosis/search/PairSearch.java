@@ -141,11 +141,6 @@ public final class PairSearch {
         return firsts.isPair(single);
     }
 
-    /** What explains most: a pair at two places where no one place will do, or the first of some; empty where there is neither. */
-    public Optional<Fitter.State> most(List<Fitter.State> leaders) {
-        return firsts.most(leaders);
-    }
-
     /** Whether two mechanisms at two places leave far less than whatever enters at any one of them. */
     public boolean isAtTwo() {
         return firsts.atTwo().isPresent();
