@@ -50,9 +50,16 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
-        // A person's own force beside two mechanisms shows in what both leave, which one of them hides.
-        Optional<BodyForce> own = first.fit().candidate().added().size() > 1 ? inquiry.own(first.fit()) : Optional.empty();
-        return own.map(force -> new Conclusion(inquiry.knowing(force)).again(first, fits)).orElseGet(() -> of(first, fits));
+        // A person's own force beside two mechanisms shows in what both leave, which one of them hides; unknown, it hides the second.
+        return pair(first).flatMap(pair -> inquiry.own(pair.fit()).map(force -> new Conclusion(inquiry.knowing(force)).again(pair, fits)))
+                .orElseGet(() -> of(first, fits));
+    }
+
+    /** A pair that was chosen, or that takes what a force might make beside a single mechanism that leaves much. */
+    private Optional<Chosen> pair(Chosen chosen) {
+        int parts = chosen.fit().candidate().added().size();
+        return parts > 1 ? Optional.of(chosen)
+                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().taking(chosen.fit()) : Optional.empty();
     }
 
     /** The conclusion where more counts as noise than where a pair was found. */

@@ -127,12 +127,16 @@ public record LevelDependence(double slope, double doubt, double least) {
         return doubt < Double.POSITIVE_INFINITY ? of(slope, doubt) : of(0, Double.POSITIVE_INFINITY);
     }
 
-    /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
+    /**
+     * Whether what moves the base, or any channel across, explains a good part of the force: then something couples it in, or answers to it,
+     * and nobody pushes. Other motion along the model's own axis answers the force itself.
+     */
     private static boolean answers(Evidence evidence, Window window, double[] force) {
         for (Channel channel : evidence.recording().channels()) {
             boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
-            if (along || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
-                continue;   // motion along the model's own axis answers the force itself
+            boolean base = evidence.model().base().sensor().filter(channel::equals).isPresent();
+            if (along && !base || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
+                continue;
             }
             double[] series = Arrays.copyOfRange(evidence.series(channel), window.start(), window.start() + force.length);
             Coherence with = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);

@@ -24,23 +24,48 @@ final class AlongMeasured {
     private final Fitter.State base;
     private final Structure structure;
     private final Projection errors;
-    /** What each of the model's numbers does along the motion by all that it is, by coordinate; to first order what is no factor. */
+    /** What each of the model's numbers does, by coordinate. */
     private final Followed[] carried;
     /** Their products. */
     private final double[][] gramOfCarried;
     /** What is left along the motion. */
     private final Followed left;
 
-    /** @param directions at that fit */
+    /**
+     * The model's numbers do what they do along the motion by all that they are; to first order what is no factor.
+     *
+     * @param directions at that fit
+     */
     AlongMeasured(Directions directions, Fitter.State base, Motion motion) {
         this.directions = directions;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
         this.errors = Projection.ofAll(base);
-        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
-        this.gramOfCarried = Arrays.stream(carried).map(one -> Arrays.stream(carried).mapToDouble(one::product).toArray())
-                .toArray(double[][]::new);
         this.left = followed(directions.along());
+        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
+        this.gramOfCarried = gram(carried);
+    }
+
+    private AlongMeasured(AlongMeasured other, Followed[] carried) {
+        this.directions = other.directions;
+        this.base = other.base;
+        this.structure = other.structure;
+        this.errors = other.errors;
+        this.left = other.left;
+        this.carried = carried;
+        this.gramOfCarried = gram(carried);
+    }
+
+    /**
+     * The same where the model's numbers do to first order what they do as the model moves: sensors that err by a hundredth take them far
+     * along a motion that is measured, and a law that is missing far as the model moves.
+     */
+    AlongMeasured asModelled() {
+        return new AlongMeasured(this, Arrays.stream(base.slopes()).map(this::followed).toArray(Followed[]::new));
+    }
+
+    private static double[][] gram(Followed[] all) {
+        return Arrays.stream(all).map(one -> Arrays.stream(all).mapToDouble(one::product).toArray()).toArray(double[][]::new);
     }
 
     private double[] carried(int i, Motion motion) {
@@ -158,15 +183,33 @@ final class AlongMeasured {
     }
 
     /**
-     * Of some directions.
+     * Some directions that the sensors' errors follow.
      *
-     * @param vectors whitened, as long as the residual each. Not copied, not modified.
+     * @param own    products of each with the errors [1]
+     * @param follow how the errors follow each [1]
+     * @param each   products of two [1]
      */
-    Products products(List<double[]> vectors) {
+    record Directed(Columns columns, double[][] own, double[][] follow, double[][] each) {}
+
+    /** @param vectors whitened, as long as the residual each. Not copied, not modified. */
+    Directed directed(List<double[]> vectors) {
         Columns columns = new Columns(vectors.toArray(double[][]::new));
         double[][] own = errors.products(columns);
         double[][] follow = Arrays.stream(own).map(errors::errors).toArray(double[][]::new);
         double[][] each = columns.gram();
+        for (int i = 0; i < each.length; i++) {
+            for (int j = 0; j < each.length; j++) {
+                each[i][j] -= ScalarProduct.of(own[i], follow[j]);
+            }
+        }
+        return new Directed(columns, own, follow, each);
+    }
+
+    /** Of some directions, which are not modified. */
+    Products products(Directed directed) {
+        Columns columns = directed.columns();
+        double[][] follow = directed.follow();
+        double[][] each = Arrays.stream(directed.each()).map(double[]::clone).toArray(double[][]::new);
         double[][] numbers = Arrays.stream(gramOfCarried).map(double[]::clone).toArray(double[][]::new);
         double[] gradient = Arrays.stream(carried).mapToDouble(left::product).toArray();
         addKnown(numbers, gradient);
@@ -183,7 +226,7 @@ final class AlongMeasured {
         }
         for (int i = 0; i < each.length; i++) {
             for (int j = 0; j < each.length; j++) {
-                each[i][j] -= ScalarProduct.of(own[i], follow[j]) + ScalarProduct.of(across[i], held[j]);
+                each[i][j] -= ScalarProduct.of(across[i], held[j]);
             }
         }
         return new Products(each, rest, held, DampedEquations.solve(numbers, gradient));

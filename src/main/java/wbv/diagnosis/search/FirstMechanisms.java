@@ -54,7 +54,7 @@ final class FirstMechanisms {
     }
 
     /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
-    private Optional<Fitter.State> taking(Fitter.State single) {
+    Optional<Fitter.State> taking(Fitter.State single) {
         return evidence.outputs().size() == 1 ? Optional.empty()
                 : places.measured().map(MeasuredHeats.Found::fit)
                         .filter(pair -> Refinement.isTaken(single.reduced(), pair.reduced()));

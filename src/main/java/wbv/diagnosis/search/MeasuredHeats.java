@@ -34,11 +34,20 @@ final class MeasuredHeats {
     private final Refinement refinement;
     private final Fitter fitter;
     private final Fitter.State base;
-    private final AlongMeasured along;
     private final List<Looked> looked;
-    private final AlongMeasured.Products products;
-    private final MeasuredStarts starts;
+    private final List<Way> ways;
     private final Race race;
+
+    /** A way in which the model's numbers follow, and what they leave of all that was looked at then. */
+    private record Way(AlongMeasured along, AlongMeasured.Products products, MeasuredStarts starts) {
+
+        /** The model's numbers beside some of those that were looked at. */
+        double[] numbers(Fitter.State base, Map<Integer, Double> strengths) {
+            double[] x = base.x().clone();
+            along.move(x, products.numbers(strengths));
+            return x;
+        }
+    }
 
     /**
      * A mechanism as it is looked at.
@@ -63,10 +72,10 @@ final class MeasuredHeats {
     }
 
     /** One of those that were looked at, and what it takes of the sum of squares [1]. */
-    private record Single(int one, double strength, double gain) {}
+    private record Single(Way way, int one, double strength, double gain) {}
 
     /** Two of those that were looked at, and what they take of the sum of squares [1]. */
-    private record Pair(int one, int other, double[] strengths, double gain) {}
+    private record Pair(Way way, int one, int other, double[] strengths, double gain) {}
 
     /**
      * Each as it is looked at from all of its starts.
@@ -81,10 +90,11 @@ final class MeasuredHeats {
         this.race = new Race(fitter, base);
         Directions directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
         this.looked = hypotheses.stream().flatMap(h -> h.starts().stream().map(start -> looked(h, start))).toList();
-        this.along = new AlongMeasured(directions, base, motion);
-        this.starts = new MeasuredStarts(directions, base, along);
-        this.products = along.products(Parallel.map(looked,
+        AlongMeasured measured = new AlongMeasured(directions, base, motion);
+        AlongMeasured.Directed directed = measured.directed(Parallel.map(looked,
                 each -> directions.measured(each.hypothesis(), base.candidate().with(each.hypothesis()), each.values())));
+        this.ways = Stream.of(measured, measured.asModelled())
+                .map(along -> new Way(along, along.products(directed), new MeasuredStarts(directions, base, along))).toList();
     }
 
     private Looked looked(Hypothesis hypothesis, Start start) {
@@ -95,13 +105,7 @@ final class MeasuredHeats {
 
     /** Those that fit best, polished: as many as are sought, best first; none that failed. */
     List<Fitter.State> best(int most) {
-        Map<String, Single> best = new LinkedHashMap<>();
-        for (int i = 0; i < looked.size(); i++) {
-            single(i).ifPresent(single -> best.merge(looked.get(single.one()).hypothesis().name(), single,
-                    (a, b) -> a.gain() < b.gain() ? b : a));
-        }
-        List<Single> first = best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed())
-                .limit(Effort.CONTENDERS).toList();
+        List<Single> first = ways.stream().flatMap(this::singles).toList();
         List<Fitter.State> heat = race.last(Parallel.map(first, this::begun));
         Set<Set<String>> names = new HashSet<>();
         List<Fitter.State> last = heat.stream().filter(fit -> names.add(race.claims(fit))).limit(most).toList();
@@ -109,11 +113,21 @@ final class MeasuredHeats {
                 .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
 
-    private Optional<Single> single(int one) {
-        double square = products.each()[one][one];
-        double strength = -products.left()[one] / square;
+    /** The best of each name, those that take most first. */
+    private Stream<Single> singles(Way way) {
+        Map<String, Single> best = new LinkedHashMap<>();
+        for (int i = 0; i < looked.size(); i++) {
+            single(way, i).ifPresent(single -> best.merge(looked.get(single.one()).hypothesis().name(), single,
+                    (a, b) -> a.gain() < b.gain() ? b : a));
+        }
+        return best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed()).limit(Effort.CONTENDERS);
+    }
+
+    private Optional<Single> single(Way way, int one) {
+        double square = way.products().each()[one][one];
+        double strength = -way.products().left()[one] / square;
         return square > 0 && looked.get(one).times(strength).isPresent()
-                ? Optional.of(new Single(one, strength, strength * strength * square))
+                ? Optional.of(new Single(way, one, strength, strength * strength * square))
                 : Optional.empty();
     }
 
@@ -122,15 +136,9 @@ final class MeasuredHeats {
         Looked one = looked.get(single.one());
         Candidate with = base.candidate().with(one.hypothesis());
         double[] values = one.times(single.strength()).orElseThrow();
-        double[] sized = base.candidate().extended(moved(Map.of(single.one(), single.strength())), with, one.hypothesis(), values);
-        return begun(with, Stream.concat(Stream.of(sized), starts.of(with, one.hypothesis()).stream()));
-    }
-
-    /** The model's numbers beside some of those that were looked at, as the measured motion has them. */
-    private double[] moved(Map<Integer, Double> strengths) {
-        double[] x = base.x().clone();
-        along.move(x, products.numbers(strengths));
-        return x;
+        double[] sized = base.candidate().extended(single.way().numbers(base, Map.of(single.one(), single.strength())), with,
+                one.hypothesis(), values);
+        return begun(with, Stream.concat(Stream.of(sized), single.way().starts().of(with, one.hypothesis()).stream()));
     }
 
     /**
@@ -163,7 +171,7 @@ final class MeasuredHeats {
      * @param places whether they may act at two places, of twins the first
      */
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
-        List<Fitter.State> heat = race.last(Parallel.map(pairs(places, twins), this::begun));
+        List<Fitter.State> heat = race.last(Parallel.map(ways.stream().flatMap(way -> pairs(way, places, twins)).toList(), this::begun));
         return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polish).stream().filter(fit -> !fit.failed())
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
     }
@@ -174,7 +182,7 @@ final class MeasuredHeats {
     }
 
     /** The best of each two names, those that take most first. */
-    private List<Pair> pairs(Predicate<Set<Place>> places, Twins twins) {
+    private Stream<Pair> pairs(Way way, Predicate<Set<Place>> places, Twins twins) {
         Map<Set<String>, Pair> best = new HashMap<>();
         List<Place> first = looked.stream().map(each -> twins.first(each.place())).toList();
         List<String> claims = looked.stream().map(each -> each.hypothesis().claim()).toList();
@@ -182,11 +190,11 @@ final class MeasuredHeats {
             for (int j = 0; j < i; j++) {
                 if (!first.get(i).equals(first.get(j)) && places.test(Set.of(first.get(i), first.get(j)))) {
                     Set<String> names = both(claims.get(i), claims.get(j));
-                    pair(i, j).ifPresent(pair -> best.merge(names, pair, (a, b) -> a.gain() < b.gain() ? b : a));
+                    pair(way, i, j).ifPresent(pair -> best.merge(names, pair, (a, b) -> a.gain() < b.gain() ? b : a));
                 }
             }
         }
-        return best.values().stream().sorted(MOST).limit(2 * Effort.CONTENDERS).toList();
+        return best.values().stream().sorted(MOST).limit(2 * Effort.CONTENDERS);
     }
 
     /** Both, or the one that both are. */
@@ -195,9 +203,9 @@ final class MeasuredHeats {
     }
 
     /** Two of those that were looked at, as strong as leaves least; empty where they may not be, or do the same. */
-    private Optional<Pair> pair(int one, int other) {
-        double[][] p = products.each();
-        double[] g = products.left();
+    private Optional<Pair> pair(Way way, int one, int other) {
+        double[][] p = way.products().each();
+        double[] g = way.products().left();
         double across = p[one][other];
         double apart = p[one][one] * p[other][other] - across * across;
         if (!(apart > PartialledOut.LEAST_NEW * p[one][one] * p[other][other])) {
@@ -206,7 +214,7 @@ final class MeasuredHeats {
         double first = (across * g[other] - p[other][other] * g[one]) / apart;
         double second = (across * g[one] - p[one][one] * g[other]) / apart;
         return looked.get(one).times(first).isPresent() && looked.get(other).times(second).isPresent()
-                ? Optional.of(new Pair(one, other, new double[] {first, second}, -first * g[one] - second * g[other]))
+                ? Optional.of(new Pair(way, one, other, new double[] {first, second}, -first * g[one] - second * g[other]))
                 : Optional.empty();
     }
 
@@ -214,7 +222,7 @@ final class MeasuredHeats {
     private Fitter.State begun(Pair pair) {
         Looked one = looked.get(pair.one());
         Looked other = looked.get(pair.other());
-        double[] x = moved(Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1]));
+        double[] x = pair.way().numbers(base, Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1]));
         Candidate first = base.candidate().with(one.hypothesis());
         Candidate both = first.with(other.hypothesis());
         x = base.candidate().extended(x, first, one.hypothesis(), one.times(pair.strengths()[0]).orElseThrow());

@@ -141,6 +141,11 @@ public final class PairSearch {
         return firsts.isPair(single);
     }
 
+    /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
+    public Optional<Chosen> taking(Fitter.State single) {
+        return firsts.taking(single).map(fit -> new Chosen(fit, price(hypothesis -> true)));
+    }
+
     /** Whether two mechanisms at two places leave far less than whatever enters at any one of them. */
     public boolean isAtTwo() {
         return firsts.atTwo().isPresent();

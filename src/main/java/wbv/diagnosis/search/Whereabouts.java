@@ -160,9 +160,13 @@ public final class Whereabouts {
         return places.found().stream().map(found -> plain(baseline, found).asGiven(baseline, found.x())).findFirst();
     }
 
-    /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
+    /**
+     * What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. What follows
+     * the ride by as much as half is something else that is missing, for all that is known: no law is left whose form it could be.
+     */
     public Optional<BodyForce> ownForce() {
-        return force(BodyForce::aboveBase, force -> force.ordinary(evidence));
+        return force(BodyForce::aboveBase,
+                force -> force.ordinary(evidence) && (force.following().isSteady() || !force.following().isTold()));
     }
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
