@@ -50,24 +50,32 @@ final class Conclusion {
     private Diagnosed of(List<Fitter.State> leaders) {
         List<Fitter.State> fits = carried(leaders);
         Chosen first = fits.isEmpty() ? Chosen.single(base) : chosen(simplest(fits), fits);
-        // A person's own force beside two mechanisms shows in what both leave, which one of them hides; unknown, it hides the second.
-        return pair(first).flatMap(pair -> inquiry.own(pair.fit()).map(force -> new Conclusion(inquiry.knowing(force)).again(pair, fits)))
-                .orElseGet(() -> of(first, fits));
+        return withOwnForce(first, fits).orElseGet(() -> of(first, fits));
     }
 
-    /** A pair that was chosen, or that takes what a force might make beside a single mechanism that leaves much. */
-    private Optional<Chosen> pair(Chosen chosen) {
+    /**
+     * The conclusion that knows of a person's own force beside two mechanisms, which shows in what both leave and hides the second while
+     * nobody knows it; empty where there is none, or it lets no pair outweigh a single mechanism that did.
+     */
+    private Optional<Diagnosed> withOwnForce(Chosen chosen, List<Fitter.State> fits) {
         int parts = chosen.fit().candidate().added().size();
-        return parts > 1 ? Optional.of(chosen)
-                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().taking(chosen.fit()) : Optional.empty();
+        Optional<Chosen> pair = parts > 1 ? Optional.of(chosen)
+                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
+        return pair.flatMap(
+                two -> inquiry.own(two.fit()).flatMap(force -> new Conclusion(inquiry.knowing(force)).again(two, fits, parts > 1)));
     }
 
-    /** The conclusion where more counts as noise than where a pair was found. */
-    private Diagnosed again(Chosen pair, List<Fitter.State> leaders) {
+    /**
+     * The conclusion where more counts as noise than where a pair was found.
+     *
+     * @param asked whether it is asked for where the pair does not outweigh single mechanisms
+     */
+    private Optional<Diagnosed> again(Chosen pair, List<Fitter.State> leaders, boolean asked) {
         List<Fitter.State> fits = inquiry.again(leaders);
         Chosen single = Chosen.single(simplest(fits));
         Chosen two = new Chosen(refinement.polish(pair.fit()), pair.price());
-        return of(refinement.outweighs(two, single) ? two : single, fits);
+        boolean outweighs = refinement.outweighs(two, single);
+        return outweighs || asked ? Optional.of(of(outweighs ? two : single, fits)) : Optional.empty();
     }
 
     /** @param fits single mechanisms, of which the first may be one */

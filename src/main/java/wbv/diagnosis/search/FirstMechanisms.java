@@ -3,6 +3,7 @@ package wbv.diagnosis.search;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -50,14 +51,13 @@ final class FirstMechanisms {
      */
     boolean isPair(Fitter.State single) {
         return atTwo().filter(pair -> Refinement.explainsNearlyAll(base, pair) || leavesScatter(pair)).isPresent()
-                || taking(single).isPresent();
+                || measured(single).filter(pair -> Refinement.isTaken(single.reduced(), pair.reduced())).isPresent();
     }
 
-    /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
-    Optional<Fitter.State> taking(Fitter.State single) {
+    /** The pair along what was measured that leaves less than a single mechanism; empty where none does. */
+    Optional<Fitter.State> measured(Fitter.State single) {
         return evidence.outputs().size() == 1 ? Optional.empty()
-                : places.measured().map(MeasuredHeats.Found::fit)
-                        .filter(pair -> Refinement.isTaken(single.reduced(), pair.reduced()));
+                : places.measured().map(MeasuredHeats.Found::fit).filter(pair -> pair.reduced() < single.reduced());
     }
 
     /**
@@ -81,8 +81,17 @@ final class FirstMechanisms {
 
     /** The pair along what was measured, if none can explain much more. */
     private Optional<Fitter.State> measured() {
-        return places.measured().filter(pair -> pair.fit().reduced() < Refinement.form(base)
-                || pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit())).map(MeasuredHeats.Found::fit).filter(this::leavesLess);
+        return places.measured().filter(pair -> leavesLess(pair.fit()) && (pair.fit().reduced() < Refinement.form(base)
+                || pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit()) || leavesOwnForce(pair.fit())))
+                .map(MeasuredHeats.Found::fit);
+    }
+
+    /** Whether all that a pair leaves, but for the forms of its laws, is what a person does who sits still. */
+    private boolean leavesOwnForce(Fitter.State pair) {
+        return evidence.acting().own().isEmpty() && BodyForce.aboveBase(evidence, pair).filter(force -> force.ordinary(evidence))
+                .filter(force -> new Refinement(evidence.with(force)).polish(pair).reduced()
+                        < Math.max(Priors.SILENT, Refinement.form(base)))
+                .isPresent();
     }
 
     /** The pair of which each part shows while whatever acts at the other's place is ignored. */

@@ -141,9 +141,9 @@ public final class PairSearch {
         return firsts.isPair(single);
     }
 
-    /** The pair along what was measured that takes what a force might make beside a single mechanism; empty where none does. */
-    public Optional<Chosen> taking(Fitter.State single) {
-        return firsts.taking(single).map(fit -> new Chosen(fit, price(hypothesis -> true)));
+    /** The pair along what was measured that leaves less than a single mechanism; empty where none does. */
+    public Optional<Chosen> leavingLess(Fitter.State single) {
+        return firsts.measured(single).map(fit -> new Chosen(fit, price(hypothesis -> true)));
     }
 
     /** Whether two mechanisms at two places leave far less than whatever enters at any one of them. */
