@@ -140,9 +140,9 @@ final class Inquiry {
         return BodyForce.aboveBase(plain, seen(plain, fit)).filter(force -> force.ordinary(evidence));
     }
 
-    /** A force of more than that of its own that a fit leaves, whatever is known of one already. */
+    /** A force of more than that, which does not answer to the ride, that a fit leaves, whatever is known of one already. */
     Optional<BodyForce> push(Fitter.State fit) {
-        return pushLeft(evidence, fit).filter(force -> force.independent() && !force.ordinary(evidence));
+        return pushLeft(evidence, fit).filter(force -> force.independent() && !force.coherent() && !force.ordinary(evidence));
     }
 
     private static Optional<BodyForce> pushLeft(Evidence knowing, Fitter.State fit) {

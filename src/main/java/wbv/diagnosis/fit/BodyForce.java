@@ -22,8 +22,10 @@ import wbv.diagnosis.mechanism.Addition;
  * @param following how its level follows that of the motion where it acts
  * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
  *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
+ * @param coherent  whether what moves the base explains a good part of it, for all that is known beside a model that may have bent itself
+ *                  for the lack of it
  */
-public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead) {
+public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead, boolean coherent) {
 
     /**
      * Forces that act on bodies, of which each is one of many.
@@ -76,13 +78,16 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     private static final double CLEAR = 0.1;
     private static final double ALL = 0.9;
 
-    /** Whether a person sitting still could be the cause: small, on the trunk, and not following its motion for all that is known. */
+    /**
+     * Whether a person sitting still could be the cause: small, on the trunk, and neither following its motion for all that is known nor
+     * answering to the ride, as a mass does that no sensor sees.
+     */
     public boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
         // What hangs within the trunk, unseen, cannot be told from it.
         boolean trunk = bodies.get(body).mass() > TRUNK * heaviest || bodies.get(body).sensor().isEmpty();
-        return trunk && Math.min(bands.rms(), bands.even()) < ORDINARY && following.mayBeWeak();
+        return trunk && Math.min(bands.rms(), bands.even()) < ORDINARY && following.mayBeWeak() && !coherent;
     }
 
     /**
@@ -103,7 +108,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
 
     /** The same force where all masses are greater by a factor. */
     public BodyForce scaled(double factor) {
-        return new BodyForce(body, bands.scaled(factor), carried, following, lead);
+        return new BodyForce(body, bands.scaled(factor), carried, following, lead, coherent);
     }
 
     /** Root mean square [N], as far as the fit's window shows it. */
@@ -210,7 +215,8 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         ForceBands bands = ForceBands.of(entering, window);
         LevelDependence following = LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window),
                 bands.noise(entering, window), carried(evidence, assembly, body));
-        return new BodyForce(body, bands, carried, following, lead);
+        return new BodyForce(body, bands, carried, following, lead,
+                LevelDependence.goesWithBase(evidence, window, window.series(entering.signal())));
     }
 
     /** Power of what the links of a body carry as the model moves [N²], by sample of the recording. */

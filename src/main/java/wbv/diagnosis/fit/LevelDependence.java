@@ -127,24 +127,29 @@ public record LevelDependence(double slope, double doubt, double least) {
         return doubt < Double.POSITIVE_INFINITY ? of(slope, doubt) : of(0, Double.POSITIVE_INFINITY);
     }
 
-    /**
-     * Whether what moves the base, or any channel across, explains a good part of the force: then something couples it in, or answers to it,
-     * and nobody pushes. Other motion along the model's own axis answers the force itself.
-     */
+    /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
     private static boolean answers(Evidence evidence, Window window, double[] force) {
-        for (Channel channel : evidence.recording().channels()) {
+        return evidence.recording().channels().stream().anyMatch(channel -> {
             boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
-            boolean base = evidence.model().base().sensor().filter(channel::equals).isPresent();
-            if (along && !base || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
-                continue;
-            }
-            double[] series = Arrays.copyOfRange(evidence.series(channel), window.start(), window.start() + force.length);
-            Coherence with = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);
-            if (with.share() > COHERENT && with.isSure()) {
-                return true;
-            }
-        }
-        return false;
+            // Motion along the model's own axis answers the force itself.
+            return !along && channel.quantity() != Quantity.QUATERNION && channel.quantity() != Quantity.MAGNETIC_FIELD
+                    && explains(evidence, channel, window, force);
+        });
+    }
+
+    /**
+     * Whether what moves the base explains a good part of a force, so that this answers to the ride.
+     *
+     * @param force by sample of the window [N]. Not modified.
+     */
+    static boolean goesWithBase(Evidence evidence, Window window, double[] force) {
+        return evidence.model().base().sensor().filter(sensor -> explains(evidence, sensor, window, force)).isPresent();
+    }
+
+    private static boolean explains(Evidence evidence, Channel channel, Window window, double[] force) {
+        double[] series = Arrays.copyOfRange(evidence.series(channel), window.start(), window.start() + force.length);
+        Coherence with = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);
+        return with.share() > COHERENT && with.isSure();
     }
 
     /** Whether the force is an answer to other motion that was measured. */

@@ -171,7 +171,7 @@ public final class Whereabouts {
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
     public Optional<BodyForce> push() {
-        return force(BodyForce::onAnyBody, force -> force.following().isSteady() && !force.ordinary(evidence));
+        return force(BodyForce::onAnyBody, force -> force.following().isSteady() && !force.coherent() && !force.ordinary(evidence));
     }
 
     private Optional<BodyForce> force(BiFunction<Evidence, Fitter.State, Optional<BodyForce>> sought, Predicate<BodyForce> kind) {
