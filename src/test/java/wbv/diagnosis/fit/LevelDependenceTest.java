@@ -40,11 +40,21 @@ class LevelDependenceTest {
     @Test
     void aForceAsStrongOnEveryRideFollowsNone() throws Exception {
         for (long seed : SEEDS) {
-            LevelDependence following = onTwoRides(seed).following();
+            BodyForce force = onTwoRides(seed, List.of());
+            assertFalse(force.coherent(), seed + ": " + force);
+            LevelDependence following = force.following();
             // In proportion would be 1. A tenth is what is left of the sensors' own errors, which follow the ride.
             assertEquals(0, following.slope(), 0.1 + 3 * following.doubt(), seed + ": " + following);
             assertTrue(following.doubt() < 0.15, seed + ": " + following);
             assertTrue(following.isSteady(), seed + ": " + following);
+        }
+    }
+
+    /** No push, and no force of a person's own, is what a mass does that no sensor sees. */
+    @Test
+    void theForceOfASwingingMassGoesWithTheBase() throws Exception {
+        for (long seed : SEEDS) {
+            assertTrue(onTwoRides(seed, List.of("mode.hidden")).coherent(), "seed " + seed);
         }
     }
 
@@ -78,14 +88,18 @@ class LevelDependenceTest {
         assertFalse(LevelDependence.following(new double[] {1, 1.1, 0.9, 1, 1.05, 0.95, 1, 1}, motion, 1).isSteady());
     }
 
-    /** What a model as given leaves of a sitter who sits still, two rides together. */
-    private BodyForce onTwoRides(long seed) throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("levels", List.of(), 1, Setting.RIDE_LEVELS, true, seed));
+    /**
+     * What a model as given leaves of a sitter who sits still, two rides together.
+     *
+     * @param concealed words of what is missing besides
+     */
+    private BodyForce onTwoRides(long seed, List<String> concealed) throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("levels", concealed, 1, Setting.RIDE_LEVELS, true, seed));
         Model model = ModelFile.read(Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8));
         Evidence evidence = new Evidence(model,
                 Rides.of(Map.of("one", made.recording()), Optional.of(Map.entry("other", made.beside().get(ConcealedCase.WITH))))
                         .recording());
         Candidate baseline = Baseline.of(evidence);
-        return BodyForce.aboveBase(evidence, new Fitter(evidence).look(baseline, baseline.start(), evidence.fit())).orElseThrow();
+        return BodyForce.onAnyBody(evidence, new Fitter(evidence).look(baseline, baseline.start(), evidence.fit())).orElseThrow();
     }
 }
