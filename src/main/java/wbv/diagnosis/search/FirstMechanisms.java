@@ -68,8 +68,16 @@ final class FirstMechanisms {
         return Refinement.excess(fit.reduced()) <= places.scatter();
     }
 
-    /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. */
+    private record Asked(Fitter.State base) {}
+
+    private record AtTwo(Optional<Fitter.State> pair) {}
+
+    /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. Kept with the evidence. */
     Optional<Fitter.State> atTwo() {
+        return evidence.known().once(new Asked(base), AtTwo.class, () -> new AtTwo(soughtAtTwo())).pair();
+    }
+
+    private Optional<Fitter.State> soughtAtTwo() {
         if (evidence.outputs().size() == 1) {
             return Optional.empty();
         }
