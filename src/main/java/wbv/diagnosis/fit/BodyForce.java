@@ -22,8 +22,8 @@ import wbv.diagnosis.mechanism.Addition;
  * @param following how its level follows that of the motion where it acts
  * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
  *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
- * @param coherent  whether what moves the base explains a good part of it, for all that is known beside a model that may have bent itself
- *                  for the lack of it
+ * @param coherent  whether what moves the base explains a good part of it: so it does of what a mass makes that no sensor sees, of what the
+ *                  form of a law leaves, and where a model has bent itself for the lack of the force
  */
 public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead, boolean coherent) {
 
@@ -78,16 +78,13 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
     private static final double CLEAR = 0.1;
     private static final double ALL = 0.9;
 
-    /**
-     * Whether a person sitting still could be the cause: small, on the trunk, and neither following its motion for all that is known nor
-     * answering to the ride, as a mass does that no sensor sees.
-     */
+    /** Whether a person sitting still could be the cause: small, on the trunk, and not following its motion for all that is known. */
     public boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
         // What hangs within the trunk, unseen, cannot be told from it.
         boolean trunk = bodies.get(body).mass() > TRUNK * heaviest || bodies.get(body).sensor().isEmpty();
-        return trunk && Math.min(bands.rms(), bands.even()) < ORDINARY && following.mayBeWeak() && !coherent;
+        return trunk && Math.min(bands.rms(), bands.even()) < ORDINARY && following.mayBeWeak();
     }
 
     /**

@@ -161,12 +161,11 @@ public final class Whereabouts {
     }
 
     /**
-     * What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. What follows
-     * the ride by as much as half is something else that is missing, for all that is known: no law is left whose form it could be.
+     * What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. What goes
+     * with the base is something else that is missing: no law is left whose form it could be.
      */
     public Optional<BodyForce> ownForce() {
-        return force(BodyForce::aboveBase,
-                force -> force.ordinary(evidence) && (force.following().isSteady() || !force.following().isTold()));
+        return force(BodyForce::aboveBase, force -> force.ordinary(evidence) && !force.coherent());
     }
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
