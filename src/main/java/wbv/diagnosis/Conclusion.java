@@ -59,9 +59,8 @@ final class Conclusion {
      */
     private Optional<Diagnosed> withOwnForce(Chosen chosen, List<Fitter.State> fits) {
         int parts = chosen.fit().candidate().added().size();
-        boolean strange = parts == 1 && chosen.fit().reduced() > Priors.STRANGE && !evidence.onRig();
         Optional<Chosen> pair = parts > 1 ? Optional.of(chosen)
-                : strange ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
+                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
         return pair.flatMap(
                 two -> inquiry.own(two.fit()).flatMap(force -> new Conclusion(inquiry.knowing(force)).again(two, fits, parts > 1)));
     }
