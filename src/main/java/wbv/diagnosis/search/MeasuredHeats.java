@@ -105,11 +105,16 @@ final class MeasuredHeats {
 
     /** Those that fit best, polished: as many as are sought, best first; none that failed. */
     List<Fitter.State> best(int most) {
-        List<Single> first = ways.stream().flatMap(this::singles).toList();
+        return best(most, Effort.CONTENDERS);
+    }
+
+    /** The same where only so many names race of each way: the nearer the motion is to the truth, the fewer need to. */
+    List<Fitter.State> best(int most, int contenders) {
+        List<Single> first = ways.stream().flatMap(way -> singles(way).limit(contenders)).toList();
         List<Fitter.State> heat = race.last(Parallel.map(first, this::begun));
         Set<Set<String>> names = new HashSet<>();
         List<Fitter.State> last = heat.stream().filter(fit -> names.add(race.claims(fit))).limit(most).toList();
-        return Parallel.map(last, refinement::polish).stream().filter(fit -> !fit.failed())
+        return Parallel.map(last, refinement::polishFromBoth).stream().filter(fit -> !fit.failed())
                 .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
 
@@ -120,7 +125,7 @@ final class MeasuredHeats {
             single(way, i).ifPresent(single -> best.merge(looked.get(single.one()).hypothesis().name(), single,
                     (a, b) -> a.gain() < b.gain() ? b : a));
         }
-        return best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed()).limit(Effort.CONTENDERS);
+        return best.values().stream().sorted(Comparator.comparingDouble(Single::gain).reversed());
     }
 
     private Optional<Single> single(Way way, int one) {
@@ -172,7 +177,7 @@ final class MeasuredHeats {
      */
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
         List<Fitter.State> heat = race.last(Parallel.map(ways.stream().flatMap(way -> pairs(way, places, twins)).toList(), this::begun));
-        return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polish).stream().filter(fit -> !fit.failed())
+        return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polishFromBoth).stream().filter(fit -> !fit.failed())
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
     }
 

@@ -2,7 +2,9 @@ package wbv.diagnosis.search;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
@@ -77,12 +79,13 @@ public final class PairRivals {
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
         Candidate left = base.candidate().with(other);
-        double[] x = PlacePairs.without(pair, other, left);
+        double[] x = base.candidate().extended(pair.x(), left, other, pair.candidate().values(other, pair.x()));
         Place there = Place.plain(part, left);
-        Place ignored = Place.plain(other, left);
-        return Stream.concat(simpler(left, x, part, pair),
-                there.equals(ignored) ? beside(left, x, there, part, pair) : apart(left, x, there, part, pair))
-                .filter(fit -> !fit.failed() && !Search.extreme(fit));
+        Place apart = Place.plain(other, left);
+        return Stream.of(simpler(left, x, part, pair), further(left, x, part, pair),
+                there.equals(apart) ? beside(left, x, there, part, pair)
+                        : apart(left, x, there, part, other, pair))
+                .flatMap(fits -> fits).filter(fit -> !fit.failed() && !Search.extreme(fit));
     }
 
     /** Of two at one place: whatever is sought there beside the other. */
@@ -91,13 +94,68 @@ public final class PairRivals {
                 Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> !rival.claim().equals(part.claim()))).stream();
     }
 
-    /** Of two apart: whatever fits best at the part's place beside the other, other forms of it among them, as the pair moves. */
-    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Hypothesis part, Fitter.State pair) {
-        Fitter.State without = search.fitter().lookWithSlopes(left, x, pair.frame());
-        List<Hypothesis> rivals = search.hypotheses(base).stream()
-                .filter(rival -> Place.plain(rival, left).equals(there) && !rival.name().equals(part.name())).toList();
-        Motion motion = Motion.simulated(evidence, pair.candidate().at(pair.x()));
-        return new MeasuredHeats(evidence, search.refinement(), without, motion, rivals).best(Effort.LEADERS).stream();
+    /**
+     * Of two apart: whatever fits best at the part's place, other forms of it among them, and what does at any other, as the pair moves.
+     */
+    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Hypothesis part, Hypothesis other, Fitter.State pair) {
+        return Stream.concat(
+                heats(left, x, pair, rival -> Place.plain(rival, left).equals(there) && !rival.name().equals(part.name()))
+                        .best(Effort.LEADERS).stream(),
+                replaced(pair, part, other).filter(fit -> !Place.ofLast(fit).equals(there)).stream());
+    }
+
+    /** What may stand beside a part of a pair, as the pair moves. */
+    private MeasuredHeats heats(Candidate left, double[] x, Fitter.State pair, Predicate<Hypothesis> rivals) {
+        return new MeasuredHeats(evidence, search.refinement(), search.fitter().lookWithSlopes(left, x, pair.frame()),
+                Motion.simulated(evidence, pair.candidate().at(pair.x())), search.hypotheses(base).stream().filter(rivals).toList());
+    }
+
+    /**
+     * A pair with either part in turn replaced by what fits best beside the other at any other place, as the pair moves, as long as that
+     * leaves less, and more than the forms of laws do: the nearer a pair comes to what is missing, the nearer it moves to the truth, and
+     * the better that tells the rest.
+     */
+    Fitter.State inTurn(Fitter.State pair) {
+        Fitter.State best = pair;
+        int part = 0;
+        int kept = 0;
+        while (kept < best.candidate().added().size() && !(best.reduced() < Refinement.form(base))) {
+            List<Hypothesis> parts = best.candidate().added();
+            double most = (1 - Effort.ROUGH) * best.reduced();
+            Optional<Fitter.State> next = replaced(best, parts.get(part), parts.get(1 - part)).filter(fit -> fit.reduced() < most);
+            best = next.orElse(best);
+            // What is new comes last, and fits best beside the other.
+            part = next.isPresent() ? 0 : 1 - part;
+            kept = next.isPresent() ? 1 : kept + 1;
+        }
+        return best;
+    }
+
+    private record Without(Fitter.State pair, Hypothesis part) {}
+
+    private record Replaced(Optional<Fitter.State> fit) {}
+
+    private Optional<Fitter.State> replaced(Fitter.State pair, Hypothesis part, Hypothesis other) {
+        return evidence.known().once(new Without(pair, part), Replaced.class, () -> {
+            Candidate left = base.candidate().with(other);
+            double[] x = base.candidate().extended(pair.x(), left, other, pair.candidate().values(other, pair.x()));
+            Place apart = Place.plain(other, left);
+            return new Replaced(heats(left, x, pair, rival -> !Place.plain(rival, left).equals(apart) && !rival.name().equals(part.name()))
+                    .best(1, Effort.PLACES).stream().filter(fit -> !Search.extreme(fit)).findFirst());
+        }).fit();
+    }
+
+    /** The further forms of a part that pay, as for a single mechanism, and what yields for what sticks; none where noise is left. */
+    private Stream<Fitter.State> further(Candidate left, double[] x, Hypothesis part, Fitter.State pair) {
+        if (Refinement.excess(pair.reduced()) <= PairSearch.QUIET) {
+            return Stream.empty();
+        }
+        Fitter.State without = search.fitter().look(left, x, pair.frame());
+        Candidate with = left.with(part);
+        Fitter.State last = search.fitter().look(with, left.extended(x, with, part, pair.candidate().values(part, pair.x())), pair.frame());
+        List<Hypothesis> all = search.hypotheses(base);
+        return Stream.concat(new Yielding(search.refinement(), all, without).rivals(last).stream(),
+                new FurtherForm(search.refinement(), without, all).rivals(last).stream());
     }
 
     /**

@@ -13,10 +13,8 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Evidence;
-import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Mechanism;
@@ -52,9 +50,7 @@ public final class PairSearch {
         this.base = base;
         this.places = new TwoPlaces(evidence, search, base, progress);
         this.firsts = new FirstMechanisms(evidence, refinement, base, places);
-        this.all = evidence.library()
-                .hypotheses(
-                        FittedScene.of(evidence, base.candidate().at(base.x()), Motion.measured(evidence, base.candidate().at(base.x()))));
+        this.all = search.hypotheses(base);
     }
 
     /**

@@ -2,12 +2,9 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -61,35 +58,12 @@ public final class PushedLaws {
             return Optional.empty();
         }
         double single = Stream.concat(leaders.stream().limit(1), Stream.of(base)).mapToDouble(Fitter.State::reduced).min().orElseThrow();
-        return enough(shown(), single).or(() -> enough(laws(leaders), single));
-    }
-
-    private Optional<Found> enough(List<Supplier<Begun>> starts, double single) {
-        List<Begun> first = sorted(Parallel.map(starts, start -> start.get().on(Effort.ROUNDS)));
+        List<Begun> first = sorted(Parallel.map(laws(leaders), start -> start.get().on(Effort.ROUNDS)));
         List<Begun> last = sorted(Parallel.map(first.stream().limit(Effort.LEADERS).toList(), begun -> begun.on(Effort.STEPS)));
         return last.stream().findFirst().filter(begun -> Refinement.explainsNearlyAll(base, begun.turn().fit()))
                 .filter(begun -> Effort.BEHIND * Refinement.excess(begun.left()) < Refinement
                         .excess(Math.min(single, beside(begun.body()).reduced())))
                 .map(begun -> new Found(begun.body(), begun.turn().force(0), begun.turn().fit()));
-    }
-
-    /** What showed beside each body whose force is ignored, if it makes one of two places at which all may enter. */
-    private List<Supplier<Begun>> shown() {
-        BiConsumer<String, Double> silent = (step, share) -> {};
-        TwoPlaces two = new TwoPlaces(evidence, new Search(evidence, silent), base, silent);
-        NearPairs near = NearPairs.of(evidence, base, two.pairs(two.looked(two.likeliest())));
-        List<Supplier<Begun>> out = new ArrayList<>();
-        for (int body = 0; body < evidence.model().bodies().size(); body++) {
-            Place place = new Place(Place.Kind.BODY, body);
-            Place first = near.twins().first(place.plain(base.candidate().template()));
-            Map<Place, double[]> partners = near.partners(first);
-            List<Fitter.State> fits = partners.isEmpty() ? List.of()
-                    : new ShownBeside(evidence, base, silent).among(first, partners).fits();
-            Set<String> claims = new HashSet<>();
-            fits.stream().filter(fit -> Refinement.explainsNearlyAll(base, fit) && claims.add(fit.candidate().last().claim()))
-                    .limit(Effort.SECONDS).forEach(fit -> out.add(() -> begun(place, fit.candidate(), fit.x())));
-        }
-        return out;
     }
 
     /** The laws that lead by themselves, beside each body. */

@@ -193,9 +193,16 @@ public final class Search {
 
     /** Those of the library at a fit. */
     List<Hypothesis> hypotheses(Fitter.State base) {
-        Assembly fitted = base.candidate().at(base.x());
-        return evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted)));
+        return evidence.known().once(new On(base), Library.class, () -> {
+            Assembly fitted = base.candidate().at(base.x());
+            return new Library(evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted),
+                    SpectralLines.of(base.residual(), evidence.fit()))));
+        }).all();
     }
+
+    private record On(Fitter.State base) {}
+
+    private record Library(List<Hypothesis> all) {}
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
     private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {

@@ -92,8 +92,12 @@ final class TwoPlaces {
             progress.accept("pairs", 0.4);
             Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
             return new Measured(new MeasuredHeats(evidence, search.refinement(), base, motion, search.hypotheses(base))
-                    .two(both -> true, Twins.of(evidence, base.candidate())));
+                    .two(both -> true, Twins.of(evidence, base.candidate())).map(this::inTurn));
         }).found();
+    }
+
+    private MeasuredHeats.Found inTurn(MeasuredHeats.Found pair) {
+        return new MeasuredHeats.Found(new PairRivals(evidence, search, base).inTurn(pair.fit()), pair.isAlone());
     }
 
     /**

@@ -39,8 +39,6 @@ class MeasuredHeatsTest {
         Motion motion() {
             return Motion.measured(evidence, base.candidate().at(base.x()));
         }
-
-        /** All pairs of places. */
     }
 
     /**
@@ -104,11 +102,45 @@ class MeasuredHeatsTest {
         Hypothesis drag = pair.candidate().added().stream().filter(h -> h.mechanism().equals("damping.quadratic")).findFirst()
                 .orElseThrow();
         Candidate without = asked.base().candidate().with(drag);
-        Fitter.State left = asked.search().fitter().lookWithSlopes(without, PlacePairs.without(pair, drag, without), pair.frame());
+        double[] x = asked.base().candidate().extended(pair.x(), without, drag, pair.candidate().values(drag, pair.x()));
+        Fitter.State left = asked.search().fitter().lookWithSlopes(without, x, pair.frame());
         Motion motion = Motion.simulated(asked.evidence(), pair.candidate().at(pair.x()));
         List<Hypothesis> all = asked.search().hypotheses(asked.base()).stream().filter(h -> !h.claim().equals(drag.claim())).toList();
         List<Fitter.State> best = new MeasuredHeats(asked.evidence(), asked.search().refinement(), left, motion, all).best(2);
         assertEquals("stiffness.hardening@ground-mass", best.get(0).candidate().last().claim());
         assertTrue(best.get(1).reduced() > 2 * best.get(0).reduced(), best.get(1).reduced() + " next");
+    }
+
+    /** A pair of which one part is wrong, and at the wrong place, becomes the right one, since either is sought beside the other. */
+    @Test
+    void aWrongPartGivesWay() {
+        Asked asked = asked(2, 0.5, 30, 1);
+        PairRivals rivals = new PairRivals(asked.evidence(), asked.search(), asked.base());
+        Fitter.State wrong = wrong(asked, "damping.quadratic@mass-load", "sensor.gain@mass.acc.z");
+        Fitter.State right = rivals.inTurn(wrong);
+        assertEquals(Set.of("stiffness.hardening@ground-mass", "damping.quadratic@mass-load"), claims(right));
+        assertTrue(Refinement.excess(right.reduced()) < 0.1 * Refinement.excess(wrong.reduced()), right.reduced() + " left");
+    }
+
+    /** Both parts wrong: which is replaced first does not matter. */
+    @Test
+    void twoWrongPartsGiveWay() {
+        Asked asked = asked(3, 0.5, 30, 1);
+        PairRivals rivals = new PairRivals(asked.evidence(), asked.search(), asked.base());
+        Fitter.State wrong = wrong(asked, "damping.quadratic@ground-mass", "sensor.gain@load.acc.z");
+        assertEquals(Set.of("stiffness.hardening@ground-mass", "damping.quadratic@mass-load"), claims(rivals.inTurn(wrong)));
+    }
+
+    private static Fitter.State wrong(Asked asked, String... claims) {
+        Candidate both = asked.base().candidate();
+        double[] x = asked.base().x();
+        for (String claim : claims) {
+            Hypothesis part = asked.search().hypotheses(asked.base()).stream().filter(h -> h.claim().equals(claim)).findFirst()
+                    .orElseThrow();
+            Candidate with = both.with(part);
+            x = both.extended(x, with, part, part.starts().get(0).values());
+            both = with;
+        }
+        return asked.search().refinement().polish(both, x);
     }
 }
