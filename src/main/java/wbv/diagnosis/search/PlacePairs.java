@@ -208,19 +208,6 @@ final class PlacePairs {
     }
 
     /**
-     * The numbers of a pair without one of its parts.
-     *
-     * @param left hypothesis that stays
-     * @param alone the base with that alone
-     * @return coordinates [1], one a knob of it
-     */
-    static double[] without(Fitter.State pair, Hypothesis left, Candidate alone) {
-        double[] x = Arrays.copyOf(pair.x(), alone.knobs().size());
-        copy(left, pair, alone, x);
-        return x;
-    }
-
-    /**
      * Carries the numbers of a hypothesis over from a fit.
      *
      * @param x filled in
