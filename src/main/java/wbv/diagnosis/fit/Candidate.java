@@ -164,6 +164,17 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
+     * Coordinates [1] of {@code with(hypothesis)}, one a knob, as another candidate on top of this one has them: of two mechanisms one
+     * without the other.
+     *
+     * @param other has the hypothesis
+     * @param x coordinates of the other [1], one a knob. Not modified.
+     */
+    public double[] alone(Candidate other, double[] x, Candidate with, Hypothesis hypothesis) {
+        return extended(x, with, hypothesis, other.values(hypothesis, x));
+    }
+
+    /**
      * Numbers of a hypothesis, an array with one of each, in its unit.
      *
      * @param hypothesis one that was added

@@ -111,8 +111,7 @@ final class FirstMechanisms {
     /** A fit of one hypothesis of a pair without the other. */
     Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
         Candidate one = base.candidate().with(hypothesis);
-        return refinement.polish(one,
-                base.candidate().extended(pair.x(), one, hypothesis, pair.candidate().values(hypothesis, pair.x())));
+        return refinement.polish(one, base.candidate().alone(pair.candidate(), pair.x(), one, hypothesis));
     }
 
     /** Whether a fit leaves far less than whatever enters at any one place seems to. */

@@ -79,12 +79,11 @@ public final class PairRivals {
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
         Candidate left = base.candidate().with(other);
-        double[] x = base.candidate().extended(pair.x(), left, other, pair.candidate().values(other, pair.x()));
+        double[] x = base.candidate().alone(pair.candidate(), pair.x(), left, other);
         Place there = Place.plain(part, left);
-        Place apart = Place.plain(other, left);
-        return Stream.of(simpler(left, x, part, pair), further(left, x, part, pair),
-                there.equals(apart) ? beside(left, x, there, part, pair)
-                        : apart(left, x, there, part, other, pair))
+        Stream<Fitter.State> others = there.equals(Place.plain(other, left)) ? beside(left, x, there, part, pair)
+                : apart(there, part, other, pair);
+        return Stream.of(simpler(left, x, part, pair), further(left, x, part, pair), others)
                 .flatMap(fits -> fits).filter(fit -> !fit.failed() && !Search.extreme(fit));
     }
 
@@ -97,17 +96,19 @@ public final class PairRivals {
     /**
      * Of two apart: whatever fits best at the part's place, other forms of it among them, and what does at any other, as the pair moves.
      */
-    private Stream<Fitter.State> apart(Candidate left, double[] x, Place there, Hypothesis part, Hypothesis other, Fitter.State pair) {
-        return Stream.concat(
-                heats(left, x, pair, rival -> Place.plain(rival, left).equals(there) && !rival.name().equals(part.name()))
-                        .best(Effort.LEADERS).stream(),
+    private Stream<Fitter.State> apart(Place there, Hypothesis part, Hypothesis other, Fitter.State pair) {
+        return Stream.concat(heats(part, other, pair, there::equals).best(Effort.LEADERS).stream(),
                 replaced(pair, part, other).filter(fit -> !Place.ofLast(fit).equals(there)).stream());
     }
 
-    /** What may stand beside a part of a pair, as the pair moves. */
-    private MeasuredHeats heats(Candidate left, double[] x, Fitter.State pair, Predicate<Hypothesis> rivals) {
+    /** What may stand in place of a part of a pair, at some places, beside the other, as the pair moves. */
+    private MeasuredHeats heats(Hypothesis part, Hypothesis other, Fitter.State pair, Predicate<Place> places) {
+        Candidate left = base.candidate().with(other);
+        double[] x = base.candidate().alone(pair.candidate(), pair.x(), left, other);
+        List<Hypothesis> rivals = search.hypotheses(base).stream()
+                .filter(rival -> places.test(Place.plain(rival, left)) && !rival.name().equals(part.name())).toList();
         return new MeasuredHeats(evidence, search.refinement(), search.fitter().lookWithSlopes(left, x, pair.frame()),
-                Motion.simulated(evidence, pair.candidate().at(pair.x())), search.hypotheses(base).stream().filter(rivals).toList());
+                Motion.simulated(evidence, pair.candidate().at(pair.x())), rivals);
     }
 
     /**
@@ -137,11 +138,9 @@ public final class PairRivals {
 
     private Optional<Fitter.State> replaced(Fitter.State pair, Hypothesis part, Hypothesis other) {
         return evidence.known().once(new Without(pair, part), Replaced.class, () -> {
-            Candidate left = base.candidate().with(other);
-            double[] x = base.candidate().extended(pair.x(), left, other, pair.candidate().values(other, pair.x()));
-            Place apart = Place.plain(other, left);
-            return new Replaced(heats(left, x, pair, rival -> !Place.plain(rival, left).equals(apart) && !rival.name().equals(part.name()))
-                    .best(1, Effort.PLACES).stream().filter(fit -> !Search.extreme(fit)).findFirst());
+            Place apart = Place.plain(other, base.candidate().with(other));
+            return new Replaced(heats(part, other, pair, place -> !place.equals(apart)).best(1, Effort.PLACES).stream()
+                    .filter(fit -> !Search.extreme(fit)).findFirst());
         }).fit();
     }
 

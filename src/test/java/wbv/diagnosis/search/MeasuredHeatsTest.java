@@ -102,7 +102,7 @@ class MeasuredHeatsTest {
         Hypothesis drag = pair.candidate().added().stream().filter(h -> h.mechanism().equals("damping.quadratic")).findFirst()
                 .orElseThrow();
         Candidate without = asked.base().candidate().with(drag);
-        double[] x = asked.base().candidate().extended(pair.x(), without, drag, pair.candidate().values(drag, pair.x()));
+        double[] x = asked.base().candidate().alone(pair.candidate(), pair.x(), without, drag);
         Fitter.State left = asked.search().fitter().lookWithSlopes(without, x, pair.frame());
         Motion motion = Motion.simulated(asked.evidence(), pair.candidate().at(pair.x()));
         List<Hypothesis> all = asked.search().hypotheses(asked.base()).stream().filter(h -> !h.claim().equals(drag.claim())).toList();
