@@ -90,7 +90,7 @@ final class FirstMechanisms {
     /** The pair along what was measured, if none can explain much more. */
     private Optional<Fitter.State> measured() {
         return places.measured().filter(pair -> leavesLess(pair.fit()) && (pair.fit().reduced() < Refinement.form(base)
-                || pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit()) || leavesOwnForce(pair.fit())))
+                || places.explains(pair) || leavesOwnForce(pair.fit())))
                 .map(MeasuredHeats.Found::fit);
     }
 
@@ -105,7 +105,7 @@ final class FirstMechanisms {
     /** The pair of which each part shows while whatever acts at the other's place is ignored. */
     private Optional<Fitter.State> ignoring(Place first, double alone, TwoPlaces.Looked looked) {
         List<Known.Ignoring> pairs = looked.locator().isBlindToTwo() ? List.of() : places.pairs(looked);
-        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty() : places.pair(pairs, List.of());
+        return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty() : places.pair(pairs);
     }
 
     /** A fit of one hypothesis of a pair without the other. */

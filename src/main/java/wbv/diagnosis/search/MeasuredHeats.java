@@ -83,8 +83,8 @@ final class MeasuredHeats {
      * @param base what they stand on, fitted, with its derivatives
      * @param motion as measured, or as what is nearly right moves
      */
-    MeasuredHeats(Evidence evidence, Refinement refinement, Fitter.State base, Motion motion, List<Hypothesis> hypotheses) {
-        this.refinement = refinement;
+    MeasuredHeats(Evidence evidence, Fitter.State base, Motion motion, List<Hypothesis> hypotheses) {
+        this.refinement = new Refinement(evidence);
         this.fitter = new Fitter(evidence).about(base);
         this.base = base;
         this.race = new Race(fitter, base);

@@ -107,7 +107,7 @@ public final class PairRivals {
         double[] x = base.candidate().alone(pair.candidate(), pair.x(), left, other);
         List<Hypothesis> rivals = search.hypotheses(base).stream()
                 .filter(rival -> places.test(Place.plain(rival, left)) && !rival.name().equals(part.name())).toList();
-        return new MeasuredHeats(evidence, search.refinement(), search.fitter().lookWithSlopes(left, x, pair.frame()),
+        return new MeasuredHeats(evidence, search.fitter().lookWithSlopes(left, x, pair.frame()),
                 Motion.simulated(evidence, pair.candidate().at(pair.x())), rivals);
     }
 

@@ -10,7 +10,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -96,9 +95,7 @@ public final class PairSearch {
      * @param two   whether there is a second in any case
      */
     private Chosen amongPairs(Fitter.State single, List<Fitter.State> leaders, List<Known.Ignoring> pairs, boolean blind, boolean two) {
-        Set<Place> near = NearPairs.near(pairs, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
-        Optional<Chosen> apart = places.pair(pairs, leaders)
-                .map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> near.contains(place(hypothesis)))));
+        Optional<Chosen> apart = places.pair(pairs).map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> true)));
         if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
             return likeliest(single, List.of(apart.get()));
         }

@@ -109,7 +109,7 @@ public final class Search {
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = Motion.measured(evidence, fitted);
         List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
-        return withForms(base, all, new MeasuredHeats(evidence, refinement, base, motion, open(base, all, where)).best(polished));
+        return withForms(base, all, new MeasuredHeats(evidence, base, motion, open(base, all, where)).best(polished));
     }
 
     /** Those that may be added where they may act: in no form twice at one place. */

@@ -76,14 +76,24 @@ final class TwoPlaces {
     }
 
     /**
-     * The pair of mechanisms that {@link PlacePairs} finds.
+     * The pair of mechanisms that leaves least: along what was measured, or else as {@link PlacePairs} finds it.
      *
      * @param places pairs of them, best first
-     * @param leaders single hypotheses fitted with nothing ignored, if any were
      */
-    Optional<Fitter.State> pair(List<Known.Ignoring> places, List<Fitter.State> leaders) {
-        return evidence.known().once(new Apart(places), Pair.class,
-                () -> new Pair(new PlacePairs(evidence, search, progress).pair(base, places, leaders))).fit();
+    Optional<Fitter.State> pair(List<Known.Ignoring> places) {
+        return evidence.known().once(new Apart(places), Pair.class, () -> new Pair(soughtPair(places))).fit();
+    }
+
+    private Optional<Fitter.State> soughtPair(List<Known.Ignoring> places) {
+        double good = Math.max(Locator.reach(places, Effort.BEHIND), Refinement.form(base));
+        Optional<Fitter.State> known = measured().map(MeasuredHeats.Found::fit);
+        return measured().filter(pair -> pair.fit().reduced() < good || explains(pair)).isPresent() ? known
+                : new PlacePairs(evidence, search, base, progress).pair(NearPairs.of(evidence, base, places), known, good);
+    }
+
+    /** Whether a pair explains nearly all, where no other came near. */
+    boolean explains(MeasuredHeats.Found pair) {
+        return pair.isAlone() && Refinement.explainsNearlyAll(base, pair.fit());
     }
 
     /** The pair at any two places that fits best along what was measured. */
@@ -91,7 +101,7 @@ final class TwoPlaces {
         return evidence.known().once(new On(base), Measured.class, () -> {
             progress.accept("pairs", 0.4);
             Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
-            return new Measured(new MeasuredHeats(evidence, search.refinement(), base, motion, search.hypotheses(base))
+            return new Measured(new MeasuredHeats(evidence, base, motion, search.hypotheses(base))
                     .two(both -> true, Twins.of(evidence, base.candidate())).map(this::inTurn));
         }).found();
     }

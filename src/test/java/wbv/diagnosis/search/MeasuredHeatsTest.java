@@ -33,7 +33,7 @@ class MeasuredHeatsTest {
     private record Asked(Evidence evidence, Search search, Fitter.State base) {
 
         MeasuredHeats heats(Motion motion) {
-            return new MeasuredHeats(evidence, search.refinement(), base, motion, search.hypotheses(base));
+            return new MeasuredHeats(evidence, base, motion, search.hypotheses(base));
         }
 
         Motion motion() {
@@ -106,7 +106,7 @@ class MeasuredHeatsTest {
         Fitter.State left = asked.search().fitter().lookWithSlopes(without, x, pair.frame());
         Motion motion = Motion.simulated(asked.evidence(), pair.candidate().at(pair.x()));
         List<Hypothesis> all = asked.search().hypotheses(asked.base()).stream().filter(h -> !h.claim().equals(drag.claim())).toList();
-        List<Fitter.State> best = new MeasuredHeats(asked.evidence(), asked.search().refinement(), left, motion, all).best(2);
+        List<Fitter.State> best = new MeasuredHeats(asked.evidence(), left, motion, all).best(2);
         assertEquals("stiffness.hardening@ground-mass", best.get(0).candidate().last().claim());
         assertTrue(best.get(1).reduced() > 2 * best.get(0).reduced(), best.get(1).reduced() + " next");
     }
