@@ -55,14 +55,16 @@ final class Conclusion {
 
     /**
      * The conclusion that knows of a person's own force beside two mechanisms, which shows in what both leave and hides the second while
-     * nobody knows it; empty where there is none, or it lets no pair outweigh a single mechanism that did.
+     * nobody knows it, or while more is taken for it than it is; empty where there is none, or it lets no pair outweigh a single mechanism
+     * that did.
      */
     private Optional<Diagnosed> withOwnForce(Chosen chosen, List<Fitter.State> fits) {
         int parts = chosen.fit().candidate().added().size();
         Optional<Chosen> pair = parts > 1 ? Optional.of(chosen)
                 : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
-        return pair.flatMap(
-                two -> inquiry.own(two.fit()).flatMap(force -> new Conclusion(inquiry.knowing(force)).again(two, fits, parts > 1)));
+        Optional<Conclusion> known = Optional.of(this).filter(itself -> parts == 1 && evidence.acting().own().isPresent());
+        return pair.flatMap(two -> inquiry.own(two.fit()).map(force -> new Conclusion(inquiry.knowing(force))).or(() -> known)
+                .flatMap(knowing -> knowing.again(two, fits, parts > 1)));
     }
 
     /**
