@@ -1,40 +1,45 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.function.Supplier;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.body.Model;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
-import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * A mechanism and a force on a body that nobody measured, fitted together: by itself neither shows what it is beside the other. A law that
- * is not linear answers to the force too, of which its free run knows nothing as long as the force is but ignored. So models are simulated
- * with the force as what a fit leaves along its direction shows it, and the two are found in turn.
+ * A mechanism and a force on a body that nobody measured, found together: by itself neither shows what it is beside the other. A law that
+ * is not linear answers to the force too, of which its free run knows nothing as long as the force is but ignored. What enters at a body
+ * and at another place, both ignored, tells the force before any law is known: models are simulated with it, mechanisms race at the other
+ * place, and the best are fitted with the force in turn.
  */
 public final class PushedLaws {
 
     private final Evidence evidence;
+    private final Search search;
     private final Fitter.State base;
+    private final Candidate baseline;
 
     /**
      * On this evidence.
      *
      * @param base the model without any mechanism, fitted
      */
-    public PushedLaws(Evidence evidence, Fitter.State base) {
+    public PushedLaws(Evidence evidence, Search search, Fitter.State base) {
         this.evidence = evidence;
+        this.search = search;
         this.base = base;
+        this.baseline = base.candidate();
     }
 
     /**
@@ -47,68 +52,85 @@ public final class PushedLaws {
     public record Found(int body, double[] force, Fitter.State fit) {}
 
     /**
+     * A pair of places.
+     *
+     * @param body where a force may act
+     * @param others places that no output tells apart, where a mechanism may
+     * @param x where the model fits beside both: coordinates [1], one a knob
+     */
+    private record Way(Place body, List<Place> others, double[] x) {}
+
+    /** A mechanism so far, beside a force on a body. */
+    private record Begun(Way way, Fitter.State fit) {}
+
+    /**
      * The mechanism and the body that leave least, where they explain nearly all, and leave far less than the best mechanism by itself and
      * than whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
      *
-     * @param leaders mechanisms by themselves, least first
+     * @param single mean square of the whitened residual that the best mechanism leaves by itself [1]
      */
-    public Optional<Found> best(List<Fitter.State> leaders) {
+    public Optional<Found> best(double single) {
         // What stands for a simulation leaves more of its own, which would pass for a force.
         if (evidence.standsForSimulation() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
-        double single = Stream.concat(leaders.stream().limit(1), Stream.of(base)).mapToDouble(Fitter.State::reduced).min().orElseThrow();
-        List<Begun> first = sorted(Parallel.map(laws(leaders), start -> start.get().on(Effort.ROUNDS)));
-        List<Begun> last = sorted(Parallel.map(first.stream().limit(Effort.LEADERS).toList(), begun -> begun.on(Effort.STEPS)));
-        return last.stream().findFirst().filter(begun -> Refinement.explainsNearlyAll(base, begun.turn().fit()))
-                .filter(begun -> Effort.BEHIND * Refinement.excess(begun.left()) < Refinement
-                        .excess(Math.min(single, beside(begun.body()).reduced())))
-                .map(begun -> new Found(begun.body(), begun.turn().force(0), begun.turn().fit()));
+        return ways().stream().map(this::begun).flatMap(Optional::stream)
+                .sorted(Comparator.comparingDouble(begun -> begun.fit().reduced())).limit(Effort.LEADERS).map(this::fitted)
+                .min(Comparator.comparingDouble(found -> found.fit().reduced()))
+                .filter(found -> Refinement.explainsNearlyAll(base, found.fit()))
+                .filter(found -> Effort.BEHIND * Refinement.excess(found.fit().reduced()) < Refinement.excess(single))
+                .filter(this::isNeeded);
     }
 
-    /** The laws that lead by themselves, beside each body. */
-    private List<Supplier<Begun>> laws(List<Fitter.State> leaders) {
-        Set<String> claims = leaders.stream().map(fit -> fit.candidate().last()).filter(Directions::isInLink)
-                .filter(Hypothesis::runsFree).map(Hypothesis::claim).distinct().limit(Effort.SECONDS).collect(Collectors.toSet());
-        List<Hypothesis> laws = new Search(evidence, (step, share) -> {}).hypotheses(base).stream()
-                .filter(hypothesis -> claims.contains(hypothesis.claim())).toList();
-        return IntStream.range(0, evidence.model().bodies().size()).boxed().flatMap(body -> starts(body, laws)).toList();
-    }
-
-    private Known.Ignoring beside(int body) {
-        Place plain = new Place(Place.Kind.BODY, body).plain(base.candidate().template());
-        return Locator.of(new Locator(evidence, base.candidate()).singles(base.x()), plain).orElseThrow();
-    }
-
-    private Stream<Supplier<Begun>> starts(int body, List<Hypothesis> laws) {
-        Candidate baseline = base.candidate();
-        Place place = new Place(Place.Kind.BODY, body);
-        double[] x = place.plain(baseline.template()).asGiven(baseline, beside(body).x());
-        return laws.stream().flatMap(law -> {
-            Candidate with = baseline.with(law);
-            return law.starts().stream().map(start -> () -> begun(place, with, baseline.extended(x, with, law, start.values())));
-        });
-    }
-
-    private Begun begun(Place body, Candidate candidate, double[] x) {
-        return new Begun(body.index(), new VariableProjection(evidence, List.of(body)).at(candidate, x));
-    }
-
-    private static List<Begun> sorted(List<Begun> all) {
-        List<Begun> out = new ArrayList<>(all);
-        out.sort(Comparator.comparingDouble(Begun::left));
-        return out;
-    }
-
-    /** A law so far, beside a force on a body. */
-    private record Begun(int body, VariableProjection.Turn turn) {
-
-        double left() {
-            return turn.fit().reduced();
+    /** Near pairs of places of which one is a body: of twins the heaviest, on which a force shows no more than on the others. */
+    private List<Way> ways() {
+        TwoPlaces places = new TwoPlaces(evidence, search, base, (step, share) -> {});
+        NearPairs near = NearPairs.of(evidence, base, places.pairs(places.looked(places.likeliest())));
+        Map<List<Place>, Way> out = new LinkedHashMap<>();
+        for (Known.Ignoring pair : near.pairs()) {
+            for (int i = 0; i < pair.places().size(); i++) {
+                List<Place> others = near.twins().of(pair.places().get(1 - i));
+                heaviest(near.twins().of(pair.places().get(i))).filter(body -> !others.contains(body))
+                        .ifPresent(body -> out.putIfAbsent(List.of(body, others.get(0)), new Way(body, others, pair.x())));
+            }
         }
+        return List.copyOf(out.values());
+    }
 
-        Begun on(int turns) {
-            return new Begun(body, turn.on(turns));
-        }
+    private Optional<Place> heaviest(List<Place> twins) {
+        List<Model.Body> bodies = evidence.model().bodies();
+        return twins.stream().filter(place -> place.kind() == Place.Kind.BODY)
+                .max(Comparator.comparingDouble(place -> bodies.get(place.index()).mass()));
+    }
+
+    /** The mechanism that races best where models are simulated with the force that the two places tell. */
+    private Optional<Begun> begun(Way way) {
+        List<Place> both = Stream.concat(Stream.of(way.body()), way.others().stream().limit(1)).toList();
+        double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
+        Evidence pushed = evidence.pushed(way.body().index(), force).ignoring(way.body());
+        Fitter.State without = new Search(pushed, (step, share) -> {}).sloped(baseline, way.x());
+        List<Hypothesis> open = search.hypotheses(base).stream().filter(each -> way.others().contains(Place.plain(each, baseline)))
+                .toList();
+        return new MeasuredHeats(pushed, without, Motion.measured(pushed, baseline.at(way.x())), open).best(1, Effort.PLACES).stream()
+                .findFirst().map(fit -> new Begun(way, fit));
+    }
+
+    /** Law and force in turn. */
+    private Found fitted(Begun begun) {
+        Place body = begun.way().body();
+        VariableProjection.Turn turn = new VariableProjection(evidence, List.of(body)).at(begun.fit().candidate(), begun.fit().x())
+                .on(Effort.STEPS);
+        return new Found(body.index(), turn.force(0), turn.fit());
+    }
+
+    /** Whether whatever acts on the body by itself leaves more than noise, of which the mechanism takes most. */
+    private boolean isNeeded(Found found) {
+        Place body = new Place(Place.Kind.BODY, found.body());
+        VariableProjection beside = new VariableProjection(evidence, List.of(body));
+        List<double[]> starts = new ArrayList<>(List.of(Arrays.copyOf(found.fit().x(), base.x().length)));
+        Locator.of(new Locator(evidence, baseline).singles(base.x()), body.plain(baseline.template())).map(Known.Ignoring::x)
+                .ifPresent(starts::add);
+        double alone = starts.stream().mapToDouble(x -> beside.base(baseline, x).fit().reduced()).min().orElseThrow();
+        return alone > Priors.SILENT && Effort.BEHIND * (found.fit().reduced() - 1) < alone - 1;
     }
 }
