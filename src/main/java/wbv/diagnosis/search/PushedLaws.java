@@ -60,8 +60,8 @@ public final class PushedLaws {
      */
     private record Way(Place body, List<Place> others, double[] x) {}
 
-    /** A mechanism so far, beside a force on a body. */
-    private record Begun(Way way, Fitter.State fit) {}
+    /** A mechanism so far, beside a force on a body [N], by sample of the recording. */
+    private record Begun(Place body, double[] force, Fitter.State fit) {}
 
     /**
      * The mechanism and the body that leave least, where they explain nearly all, and leave far less than the best mechanism by itself and
@@ -112,15 +112,17 @@ public final class PushedLaws {
         List<Hypothesis> open = search.hypotheses(base).stream().filter(each -> way.others().contains(Place.plain(each, baseline)))
                 .toList();
         return new MeasuredHeats(pushed, without, Motion.measured(pushed, baseline.at(way.x())), open).best(1, Effort.PLACES).stream()
-                .findFirst().map(fit -> new Begun(way, fit));
+                .findFirst().map(fit -> new Begun(way.body(), force, fit));
     }
 
-    /** Law and force in turn. */
+    /** Mechanism and force in turn, begun with the force that the places told and as the mechanism tells it, whichever leads further. */
     private Found fitted(Begun begun) {
-        Place body = begun.way().body();
-        VariableProjection.Turn turn = new VariableProjection(evidence, List.of(body)).at(begun.fit().candidate(), begun.fit().x())
-                .on(Effort.STEPS);
-        return new Found(body.index(), turn.force(0), turn.fit());
+        VariableProjection beside = new VariableProjection(evidence, List.of(begun.body()));
+        Candidate with = begun.fit().candidate();
+        double[] x = begun.fit().x();
+        VariableProjection.Turn turn = Stream.of(beside.at(with, x, begun.force()), beside.at(with, x)).map(each -> each.on(Effort.STEPS))
+                .min(Comparator.comparingDouble(each -> each.fit().reduced())).orElseThrow();
+        return new Found(begun.body().index(), turn.force(0), turn.fit());
     }
 
     /** Whether whatever acts on the body by itself leaves more than noise, of which the mechanism takes most. */

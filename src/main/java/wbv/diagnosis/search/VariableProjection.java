@@ -50,9 +50,23 @@ final class VariableProjection {
      * @param x coordinates [1], one a knob. Not copied, not modified.
      */
     Turn at(Candidate candidate, double[] x) {
-        Fitter fitter = new Fitter(blind);
-        return new Turn(new double[acting.size()][2 * evidence.whole().omega().length], blind, fitter,
-                fitter.look(candidate, x, evidence.fit())).known();
+        return from(new double[acting.size()][2 * evidence.whole().omega().length], blind, candidate, x);
+    }
+
+    /**
+     * The same where a force is known already at the first of the places, the only one at which forces enter.
+     *
+     * @param x coordinates [1], one a knob. Not copied, not modified.
+     * @param force [N], by sample of the recording. Not modified.
+     */
+    Turn at(Candidate candidate, double[] x, double[] force) {
+        double[][] forces = {evidence.whole().spectrum(force)};
+        return from(forces, pushed(forces), candidate, x);
+    }
+
+    private Turn from(double[][] forces, Evidence knowing, Candidate candidate, double[] x) {
+        Fitter fitter = new Fitter(knowing);
+        return new Turn(forces, knowing, fitter, fitter.look(candidate, x, knowing.fit())).known();
     }
 
     /**
