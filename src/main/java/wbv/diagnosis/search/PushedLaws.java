@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.diagnosis.fit.Candidate;
@@ -64,8 +65,8 @@ public final class PushedLaws {
     private record Begun(Place body, double[] force, Fitter.State fit) {}
 
     /**
-     * The mechanism and the body that leave least, where they explain nearly all, and leave far less than the best mechanism by itself and
-     * than whatever acts on that body by itself; empty where none does, or outputs are too few to show it.
+     * The mechanism and the body that leave least, where they leave far less than the best mechanism by itself and than whatever acts on that
+     * body by itself; empty where none does, or outputs are too few to show it.
      *
      * @param single mean square of the whitened residual that the best mechanism leaves by itself [1]
      */
@@ -77,7 +78,6 @@ public final class PushedLaws {
         return ways().stream().map(this::begun).flatMap(Optional::stream)
                 .sorted(Comparator.comparingDouble(begun -> begun.fit().reduced())).limit(Effort.LEADERS).map(this::fitted)
                 .min(Comparator.comparingDouble(found -> found.fit().reduced()))
-                .filter(found -> Refinement.explainsNearlyAll(base, found.fit()))
                 .filter(found -> Effort.BEHIND * Refinement.excess(found.fit().reduced()) < Refinement.excess(single))
                 .filter(this::isNeeded);
     }
@@ -90,7 +90,7 @@ public final class PushedLaws {
         for (Known.Ignoring pair : near.pairs()) {
             for (int i = 0; i < pair.places().size(); i++) {
                 List<Place> others = near.twins().of(pair.places().get(1 - i));
-                heaviest(near.twins().of(pair.places().get(i))).filter(body -> !others.contains(body))
+                heaviest(near.twins().of(pair.places().get(i))).filter(body -> !others.contains(body.plain(baseline.template())))
                         .ifPresent(body -> out.putIfAbsent(List.of(body, others.get(0)), new Way(body, others, pair.x())));
             }
         }
@@ -99,7 +99,8 @@ public final class PushedLaws {
 
     private Optional<Place> heaviest(List<Place> twins) {
         List<Model.Body> bodies = evidence.model().bodies();
-        return twins.stream().filter(place -> place.kind() == Place.Kind.BODY)
+        return IntStream.range(0, bodies.size()).mapToObj(body -> new Place(Place.Kind.BODY, body))
+                .filter(place -> twins.contains(place.plain(baseline.template())))
                 .max(Comparator.comparingDouble(place -> bodies.get(place.index()).mass()));
     }
 
