@@ -209,12 +209,12 @@ public final class Diagnoser {
             return Conclusion.of(inquiry, List.of());
         }
         // A strong push hides what else is missing: what shows beside it?
-        return (strong && best != base ? inquiry.push(best).filter(push -> !inquiry.pairs().isEnough(best)) : Optional.<BodyForce>empty())
-                .flatMap(push -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))).orElseGet(() -> {
+        Optional<BodyForce> left = strong && best != base ? inquiry.pushBeside(best) : Optional.empty();
+        return left.flatMap(push -> inquiry.besidePush(leaders)
+                .or(() -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where)))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
-                    // A rig has nobody on it who pushes.
-                    boolean alone = !found.isUnexplained() || evidence.acting().any() || evidence.onRig();
-                    return alone ? found : inquiry.lawBesidePush(leaders)
+                    boolean alone = !found.isUnexplained() || evidence.acting().any() || evidence.onRig();   // where nobody pushes
+                    return alone ? found : Optional.of(leaders).filter(some -> left.isEmpty()).flatMap(inquiry::besidePush)
                             .or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
                 });
     }

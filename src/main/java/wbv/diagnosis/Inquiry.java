@@ -61,8 +61,8 @@ final class Inquiry {
         return new Inquiry(evidence.with(force), baseline, progress);
     }
 
-    /** The diagnosis of a law and of a force that answers to nothing, found together; empty where they are not, or it is no such force. */
-    Optional<Diagnosed> lawBesidePush(List<Fitter.State> leaders) {
+    /** The diagnosis of a mechanism and of a force that answers to nothing, found together; empty where they are not, or it is no such force. */
+    Optional<Diagnosed> besidePush(List<Fitter.State> leaders) {
         double single = Stream.concat(leaders.stream().limit(1), Stream.of(base())).mapToDouble(Fitter.State::reduced).min().orElseThrow();
         return new PushedLaws(evidence, search, base()).best(single)
                 .flatMap(law -> pushed(law).map(knowing -> Conclusion.of(knowing, knowing.again(List.of(law.fit())))))
@@ -145,6 +145,11 @@ final class Inquiry {
     /** A force of more than that, which does not answer to the ride, that a fit leaves, whatever is known of one already. */
     Optional<BodyForce> push(Fitter.State fit) {
         return pushLeft(evidence, fit).filter(force -> force.independent() && !force.coherent() && !force.ordinary(evidence));
+    }
+
+    /** The same beside a single mechanism, where no two mechanisms take what is left. */
+    Optional<BodyForce> pushBeside(Fitter.State single) {
+        return push(single).filter(push -> !pairs().isEnough(single));
     }
 
     private static Optional<BodyForce> pushLeft(Evidence knowing, Fitter.State fit) {

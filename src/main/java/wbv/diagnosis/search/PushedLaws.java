@@ -65,8 +65,8 @@ public final class PushedLaws {
     private record Begun(Place body, double[] force, Fitter.State fit) {}
 
     /**
-     * The mechanism and the body that leave least, where they leave far less than the best mechanism by itself and than whatever acts on that
-     * body by itself; empty where none does, or outputs are too few to show it.
+     * The mechanism and the body that leave least, where they leave far less than the best mechanism by itself and than whatever acts on
+     * that body by itself; empty where none does, or outputs are too few to show it.
      *
      * @param single mean square of the whitened residual that the best mechanism leaves by itself [1]
      */
