@@ -61,7 +61,7 @@ final class Inquiry {
         return new Inquiry(evidence.with(force), baseline, progress);
     }
 
-    /** The diagnosis of a mechanism and a force that answers to nothing, found together; empty where they are not, or it is no such force. */
+    /** The diagnosis of a mechanism and a force that answers to nothing, found together; empty where they are not, or it is none. */
     Optional<Diagnosed> besidePush(List<Fitter.State> leaders) {
         double single = Stream.concat(leaders.stream().limit(1), Stream.of(base())).mapToDouble(Fitter.State::reduced).min().orElseThrow();
         return new PushedLaws(evidence, search, base()).best(single)
