@@ -73,8 +73,10 @@ final class Pushes {
     }
 
     private Diagnosis.Named named(BodyForce force, MassScale masses, double probability) {
-        double rms = masses.factor() * force.rms();
+        double rms = masses.factor() * force.apart();
+        // What goes with the base does so by errors, which may have made as much of the rest.
+        double deviation = Math.hypot(masses.deviation() * rms, masses.factor() * (force.rms() - force.apart()));
         return new Diagnosis.Named(new UnmeasuredForce().word(), grounds.evidence().model().bodies().get(force.body()).name(), probability,
-                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), grounds.base().reduced());
+                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, deviation)), grounds.base().reduced());
     }
 }

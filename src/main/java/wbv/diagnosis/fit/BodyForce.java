@@ -22,10 +22,11 @@ import wbv.diagnosis.mechanism.Addition;
  * @param following how its level follows that of the motion where it acts
  * @param lead      how much more [1] of the excess it carries than a force in any link would: little for the first body and for a head,
  *                  whose links could do the same; negative infinity where a link with a law that was found would carry nearly as much
- * @param coherent  whether what moves the base explains a good part of it: so it does of what a mass makes that no sensor sees, of what the
- *                  form of a law leaves, and where a model has bent itself for the lack of the force
+ * @param shared    part of its power that goes with what moves the base, 0 to 1: so does what a mass makes that no sensor sees, what the
+ *                  form of a law leaves, what small errors of sensors make of the ride, and where a model has bent itself for the lack of
+ *                  the force
  */
-public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead, boolean coherent) {
+public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead, double shared) {
 
     /**
      * Forces that act on bodies, of which each is one of many.
@@ -103,9 +104,19 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return following.mayStandAlone();
     }
 
+    /** Whether what moves the base explains a good part of it, so that it answers to the ride. */
+    public boolean coherent() {
+        return shared > LevelDependence.COHERENT;
+    }
+
+    /** Root mean square of what does not go with what moves the base [N]: of a force that nobody measured all else is an error. */
+    public double apart() {
+        return rms() * Math.sqrt(1 - shared);
+    }
+
     /** The same force where all masses are greater by a factor. */
     public BodyForce scaled(double factor) {
-        return new BodyForce(body, bands.scaled(factor), carried, following, lead, coherent);
+        return new BodyForce(body, bands.scaled(factor), carried, following, lead, shared);
     }
 
     /** Root mean square [N], as far as the fit's window shows it. */
@@ -213,7 +224,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         LevelDependence following = LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window),
                 bands.noise(entering, window), carried(evidence, assembly, body));
         return new BodyForce(body, bands, carried, following, lead,
-                LevelDependence.goesWithBase(evidence, window, window.series(entering.signal())));
+                LevelDependence.withBase(evidence, window, window.series(entering.signal())));
     }
 
     /** Power of what the links of a body carry as the model moves [N²], by sample of the recording. */

@@ -39,7 +39,8 @@ public record LevelDependence(double slope, double doubt, double least) {
     private static final double LARGEST = 3;
     /** Standard deviations that a normal deviate passes once in a thousand times [1]. */
     private static final double EXCLUDED = 3.1;
-    private static final double COHERENT = 0.35;
+    /** Part of its power that goes with a series from which on a force is taken to answer to it. */
+    static final double COHERENT = 0.35;
 
     /**
      * @param force spectrum at the window's lines [N]
@@ -133,23 +134,23 @@ public record LevelDependence(double slope, double doubt, double least) {
             boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
             // Motion along the model's own axis answers the force itself.
             return !along && channel.quantity() != Quantity.QUATERNION && channel.quantity() != Quantity.MAGNETIC_FIELD
-                    && explains(evidence, channel, window, force);
+                    && with(evidence, channel, window, force) > COHERENT;
         });
     }
 
     /**
-     * Whether what moves the base explains a good part of a force, so that this answers to the ride.
+     * Share of a force's power that goes with what moves the base, 0 to 1; 0 where that is not sure.
      *
      * @param force by sample of the window [N]. Not modified.
      */
-    static boolean goesWithBase(Evidence evidence, Window window, double[] force) {
-        return evidence.model().base().sensor().filter(sensor -> explains(evidence, sensor, window, force)).isPresent();
+    static double withBase(Evidence evidence, Window window, double[] force) {
+        return evidence.model().base().sensor().map(sensor -> with(evidence, sensor, window, force)).orElse(0.0);
     }
 
-    private static boolean explains(Evidence evidence, Channel channel, Window window, double[] force) {
+    private static double with(Evidence evidence, Channel channel, Window window, double[] force) {
         double[] series = Arrays.copyOfRange(evidence.series(channel), window.start(), window.start() + force.length);
-        Coherence with = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);
-        return with.share() > COHERENT && with.isSure();
+        Coherence found = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);
+        return found.isSure() ? found.share() : 0;
     }
 
     /** Whether the force is an answer to other motion that was measured. */

@@ -70,6 +70,6 @@ class BodyForceTest {
 
     private static BodyForce force(double carried, double slope, double doubt, double lead) {
         return new BodyForce(1, new ForceBands(10, 10, new double[] {30}, new double[] {1}), carried,
-                new LevelDependence(slope, doubt, slope), lead, false);
+                new LevelDependence(slope, doubt, slope), lead, 0);
     }
 }
