@@ -6,6 +6,7 @@ import java.util.Optional;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.diagnosis.search.MassScale;
@@ -52,11 +53,11 @@ final class Pushes {
      * @param base that model, fitted without
      */
     static boolean isAll(Evidence evidence, Fitter.State base, BodyForce push) {
-        return evidence.known().once(new Asked(base, push.body()), Boolean.class, () -> leavesNoise(evidence, base, push));
+        return evidence.known().once(new Asked(base, push.body()), () -> leavesNoise(evidence, base, push));
     }
 
     /** A push on a body, as a fit leaves it. */
-    private record Asked(Fitter.State base, int body) {}
+    private record Asked(Fitter.State base, int body) implements Known.Question<Boolean> {}
 
     private static boolean leavesNoise(Evidence evidence, Fitter.State base, BodyForce push) {
         Evidence knowing = evidence.with(push);

@@ -15,9 +15,14 @@ public final class Known {
 
     private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
     private final AtomicReference<Fitter.State> base = new AtomicReference<>();
-    private final Map<Asked, Object> others = new ConcurrentHashMap<>();
+    private final Map<Question<?>, Object> others = new ConcurrentHashMap<>();
 
-    private record Asked(Object question, Class<?> answer) {}
+    /**
+     * What may be asked more than once, told by being equal.
+     *
+     * @param <A> what the answer is; it holds no {@code null}
+     */
+    public interface Question<A> {}
 
     /** A part that is shaken hard, see {@link Evidence#brief}. */
     Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
@@ -41,15 +46,14 @@ public final class Known {
     /**
      * Whatever else is asked for more than once.
      *
-     * @param question told by being equal
-     * @param answer what it is
+     * @param <A> what the answer is
      * @param find works it out if nobody asked
      */
-    public <T> T once(Object question, Class<T> answer, Supplier<T> find) {
-        Asked asked = new Asked(question, answer);
-        T found = others.containsKey(asked) ? answer.cast(others.get(asked)) : find.get();
-        others.put(asked, found);
-        return found;
+    @SuppressWarnings("unchecked")   // a question is kept with nothing but an answer to it
+    public <A> A once(Question<A> question, Supplier<A> find) {
+        Object found = others.containsKey(question) ? others.get(question) : find.get();
+        others.put(question, found);
+        return (A) found;
     }
 
     private static <T> T once(AtomicReference<T> known, Supplier<T> find) {

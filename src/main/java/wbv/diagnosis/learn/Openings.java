@@ -15,6 +15,7 @@ import wbv.body.law.Learned;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -48,7 +49,7 @@ final class Openings {
     }
 
     /** What a ground shows in a link; a ground is itself, or equal numbers. */
-    private record Asked(Fitter.State base, int link, Object ground) {}
+    private record Asked(Fitter.State base, int link, Object ground) implements Known.Question<Opening> {}
 
     /**
      * Sentences of a link with the first terms, of one and of two.
@@ -58,7 +59,7 @@ final class Openings {
      */
     Opening of(int link, double[] x, Fitter.State than) {
         if (correction) {
-            return once(link, base, () -> beside(link).scored().map(scored -> opened(scored, Effort.SECONDS, 0)).orElse(Opening.NONE));
+            return once(link, base, () -> beside(link).map(scored -> opened(scored, Effort.SECONDS, 0)).orElse(Opening.NONE));
         }
         boolean named = !than.candidate().added().isEmpty() && Refinement.explainsNearlyAll(base, than);
         Opening first = named ? along(link, than) : asMeasured(link, x);
@@ -77,16 +78,16 @@ final class Openings {
      * @param most mean square of the whitened residual that may be left [1]
      */
     boolean promise(int link, double most) {
-        return beside(link).scored().map(scored -> scored.promising().stream().anyMatch(proposal -> proposal.left() < most)).orElse(false);
+        return beside(link).map(scored -> scored.promising().stream().anyMatch(proposal -> proposal.left() < most)).orElse(false);
     }
 
     /** What terms beside those of the base promise, if that could be looked at. */
-    private record Beside(Optional<Scored> scored) {}
+    private record Beside(Fitter.State base, int link) implements Known.Question<Optional<Scored>> {}
 
-    private Beside beside(int link) {
-        return evidence.known().once(new Asked(base, link, base), Beside.class, () -> {
+    private Optional<Scored> beside(int link) {
+        return evidence.known().once(new Beside(base, link), () -> {
             Ground ground = Ground.beside(evidence, base, base);
-            return new Beside(scored(ground, link, Effort.SECONDS, grammar -> grammar.terms(known(ground)), term -> true));
+            return scored(ground, link, Effort.SECONDS, grammar -> grammar.terms(known(ground)), term -> true);
         });
     }
 
@@ -101,7 +102,7 @@ final class Openings {
     }
 
     private Opening once(int link, Object ground, Supplier<Opening> find) {
-        return evidence.known().once(new Asked(base, link, ground), Opening.class, find);
+        return evidence.known().once(new Asked(base, link, ground), find);
     }
 
     /**

@@ -68,13 +68,11 @@ final class FirstMechanisms {
         return Refinement.excess(fit.reduced()) <= places.scatter();
     }
 
-    private record Asked(Fitter.State base) {}
-
-    private record AtTwo(Optional<Fitter.State> pair) {}
+    private record AtTwo(Fitter.State base) implements Known.Question<Optional<Fitter.State>> {}
 
     /** The pair at two places that leaves far less than whatever enters at any one; empty where there is none. Kept with the evidence. */
     Optional<Fitter.State> atTwo() {
-        return evidence.known().once(new Asked(base), AtTwo.class, () -> new AtTwo(soughtAtTwo())).pair();
+        return evidence.known().once(new AtTwo(base), this::soughtAtTwo);
     }
 
     private Optional<Fitter.State> soughtAtTwo() {

@@ -38,13 +38,11 @@ public final class Locator {
      * @param x where fits start: coordinates [1], one a knob, told by being the same array: kept and not modified.
      */
     public List<Known.Ignoring> singles(double[] x) {
-        return evidence.known().once(new At(baseline, x), Singles.class, () -> new Singles(oneByOne(x))).found();
+        return evidence.known().once(new At(baseline, x), () -> oneByOne(x));
     }
 
     /** A model at coordinates [1], which are themselves and equal to no copy. */
-    private record At(Candidate on, double[] x) {}
-
-    private record Singles(List<Known.Ignoring> found) {}
+    private record At(Candidate on, double[] x) implements Known.Question<List<Known.Ignoring>> {}
 
     /**
      * Some places one by one, best first; none with a single output.
@@ -134,11 +132,11 @@ public final class Locator {
      * @param found where it starts: as a part of the data showed it, told as in {@link #singles}
      */
     VariableProjection.Turn beside(Known.Ignoring found) {
-        return evidence.known().once(new Beside(baseline, found), VariableProjection.Turn.class,
+        return evidence.known().once(new Beside(baseline, found),
                 () -> new VariableProjection(evidence, found.places()).base(baseline, found.x()));
     }
 
-    private record Beside(Candidate on, Known.Ignoring found) {}
+    private record Beside(Candidate on, Known.Ignoring found) implements Known.Question<VariableProjection.Turn> {}
 
     /**
      * The same as it was found among all places.

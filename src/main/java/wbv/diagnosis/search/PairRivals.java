@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
@@ -132,16 +133,14 @@ public final class PairRivals {
         return best;
     }
 
-    private record Without(Fitter.State pair, Hypothesis part) {}
-
-    private record Replaced(Optional<Fitter.State> fit) {}
+    private record Without(Fitter.State pair, Hypothesis part) implements Known.Question<Optional<Fitter.State>> {}
 
     private Optional<Fitter.State> replaced(Fitter.State pair, Hypothesis part, Hypothesis other) {
-        return evidence.known().once(new Without(pair, part), Replaced.class, () -> {
+        return evidence.known().once(new Without(pair, part), () -> {
             Place apart = Place.plain(other, base.candidate().with(other));
-            return new Replaced(heats(part, other, pair, place -> !place.equals(apart)).best(1, Effort.PLACES).stream()
-                    .filter(fit -> !Search.extreme(fit)).findFirst());
-        }).fit();
+            return heats(part, other, pair, place -> !place.equals(apart)).best(1, Effort.PLACES).stream()
+                    .filter(fit -> !Search.extreme(fit)).findFirst();
+        });
     }
 
     /** The further forms of a part that pay, as for a single mechanism, and what yields for what sticks; none where noise is left. */

@@ -8,6 +8,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -205,7 +206,7 @@ public final class Refinement {
 
     /** χ² per number on the held-out window [1]. */
     public double heldOut(Fitter.State fit) {
-        return evidence.known().once(new Unused(fit.candidate(), fit.x()), Double.class,
+        return evidence.known().once(new Unused(fit.candidate(), fit.x()),
                 () -> new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced());
     }
 
@@ -214,5 +215,5 @@ public final class Refinement {
      *
      * @param x coordinates of the fit [1], one a knob; the same where it is the same array
      */
-    private record Unused(Candidate candidate, double[] x) {}
+    private record Unused(Candidate candidate, double[] x) implements Known.Question<Double> {}
 }

@@ -18,6 +18,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SpectralLines;
@@ -193,16 +194,14 @@ public final class Search {
 
     /** Those of the library at a fit. */
     List<Hypothesis> hypotheses(Fitter.State base) {
-        return evidence.known().once(new On(base), Library.class, () -> {
+        return evidence.known().once(new On(base), () -> {
             Assembly fitted = base.candidate().at(base.x());
-            return new Library(evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted),
-                    SpectralLines.of(base.residual(), evidence.fit()))));
-        }).all();
+            return evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted),
+                    SpectralLines.of(base.residual(), evidence.fit())));
+        });
     }
 
-    private record On(Fitter.State base) {}
-
-    private record Library(List<Hypothesis> all) {}
+    private record On(Fitter.State base) implements Known.Question<List<Hypothesis>> {}
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
     private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
 
 /**
@@ -22,11 +23,11 @@ final class Twins {
 
     /** Among the places of some evidence, by their plain names, kept with it. */
     static Twins of(Evidence evidence, Candidate model) {
-        return evidence.known().once(new In(model), Twins.class, () -> new Twins(evidence, model, Place.andDevices(evidence).stream()
+        return evidence.known().once(new In(model), () -> new Twins(evidence, model, Place.andDevices(evidence).stream()
                 .filter(place -> place.equals(place.plain(model.template()))).toList()));
     }
 
-    private record In(Candidate model) {}
+    private record In(Candidate model) implements Known.Question<Twins> {}
 
     /** Among some places. */
     Twins(Evidence evidence, Candidate model, List<Place> places) {

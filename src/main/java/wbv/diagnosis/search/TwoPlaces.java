@@ -35,15 +35,11 @@ final class TwoPlaces {
     /** Places one by one, best first, as some data show them. */
     record Looked(Locator locator, List<Known.Ignoring> singles) {}
 
-    private record Apart(List<Known.Ignoring> places) {}
+    private record Beside(List<Known.Ignoring> singles) implements Known.Question<List<Known.Ignoring>> {}
 
-    private record Pair(Optional<Fitter.State> fit) {}
+    private record At(List<Known.Ignoring> places) implements Known.Question<Optional<Fitter.State>> {}
 
-    private record Beside(List<Known.Ignoring> singles) {}
-
-    private record On(Fitter.State base) {}
-
-    private record Measured(Optional<MeasuredHeats.Found> found) {}
+    private record On(Fitter.State base) implements Known.Question<Optional<MeasuredHeats.Found>> {}
 
     /** Where all that is missing enters most likely, if it does at one place. */
     Place likeliest() {
@@ -71,8 +67,7 @@ final class TwoPlaces {
 
     /** Pairs of places, best first. */
     List<Known.Ignoring> pairs(Looked looked) {
-        return evidence.known().once(new Beside(looked.singles()), Apart.class, () -> new Apart(looked.locator().pairs(looked.singles())))
-                .places();
+        return evidence.known().once(new Beside(looked.singles()), () -> looked.locator().pairs(looked.singles()));
     }
 
     /**
@@ -81,7 +76,7 @@ final class TwoPlaces {
      * @param places pairs of them, best first
      */
     Optional<Fitter.State> pair(List<Known.Ignoring> places) {
-        return evidence.known().once(new Apart(places), Pair.class, () -> new Pair(soughtPair(places))).fit();
+        return evidence.known().once(new At(places), () -> soughtPair(places));
     }
 
     private Optional<Fitter.State> soughtPair(List<Known.Ignoring> places) {
@@ -98,12 +93,12 @@ final class TwoPlaces {
 
     /** The pair at any two places that fits best along what was measured. */
     Optional<MeasuredHeats.Found> measured() {
-        return evidence.known().once(new On(base), Measured.class, () -> {
+        return evidence.known().once(new On(base), () -> {
             progress.accept("pairs", 0.4);
             Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
-            return new Measured(new MeasuredHeats(evidence, base, motion, search.hypotheses(base))
-                    .two(both -> true, Twins.of(evidence, base.candidate())).map(this::inTurn));
-        }).found();
+            return new MeasuredHeats(evidence, base, motion, search.hypotheses(base))
+                    .two(both -> true, Twins.of(evidence, base.candidate())).map(this::inTurn);
+        });
     }
 
     private MeasuredHeats.Found inTurn(MeasuredHeats.Found pair) {
