@@ -224,7 +224,7 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         LevelDependence following = LevelDependence.of(evidence, window, entering.signal(), bands.telling(entering, window),
                 bands.noise(entering, window), carried(evidence, assembly, body));
         return new BodyForce(body, bands, carried, following, lead,
-                LevelDependence.withBase(evidence, window, window.series(entering.signal())));
+                LevelDependence.withBase(evidence, window, window.series(bands.counting(entering, window))));
     }
 
     /** Power of what the links of a body carry as the model moves [N²], by sample of the recording. */

@@ -46,19 +46,26 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
     }
 
     private static ForceBands of(double[] edges, double[] power, int[] count, Window window) {
-        // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large
-        // one.
+        double[] shown = shown(edges, power);
+        double half = window.length() / 2.0;
+        double total = IntStream.range(0, edges.length).mapToDouble(i -> shown[i] * count[i]).sum();
+        double[] sorted = power.clone();
+        Arrays.sort(sorted);
+        return new ForceBands(Math.sqrt(total / half), Math.sqrt(sorted[sorted.length / 2] * window.lines() / half), edges, power);
+    }
+
+    /**
+     * Power by band as it counts: far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the
+     * ride looks like a large one.
+     */
+    private static double[] shown(double[] edges, double[] power) {
         double[] shown = power.clone();
         for (int i = edges.length - 2; i >= 0; i--) {
             if (edges[i] < SHOWN) {
                 shown[i] = Math.min(shown[i], shown[i + 1]);
             }
         }
-        double half = window.length() / 2.0;
-        double total = IntStream.range(0, edges.length).mapToDouble(i -> shown[i] * count[i]).sum();
-        double[] sorted = power.clone();
-        Arrays.sort(sorted);
-        return new ForceBands(Math.sqrt(total / half), Math.sqrt(sorted[sorted.length / 2] * window.lines() / half), edges, power);
+        return shown;
     }
 
     /**
@@ -105,12 +112,15 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
 
     /** Variance of each part of a line at a frequency [N²]. */
     double power(double frequency) {
-        for (int i = 0; i < edges.length; i++) {
-            if (frequency <= edges[i]) {
-                return power[i];
-            }
+        return power[band(frequency)];
+    }
+
+    private int band(double frequency) {
+        int band = 0;
+        while (band < edges.length - 1 && edges[band] < frequency) {
+            band++;
         }
-        return power[power.length - 1];
+        return band;
     }
 
     /**
@@ -127,6 +137,25 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
         for (int line = 0; line < window.lines(); line++) {
             double own = power(window.frequency(line));
             double weight = own > 0 ? Math.sqrt(own) / (own + force.variance()[line]) : 0;
+            out[2 * line] *= weight;
+            out[2 * line + 1] *= weight;
+        }
+        return out;
+    }
+
+    /**
+     * The force as it counts in {@link #rms}: each line as strong as its band is without noise, and below a hertz no stronger than above.
+     *
+     * @param force whose bands these are
+     * @return [N], at the lines of the window, a new array
+     */
+    double[] counting(Entering force, Window window) {
+        double[] out = force.signal().clone();
+        double[] shown = shown(edges, power);
+        for (int line = 0; line < window.lines(); line++) {
+            int band = band(window.frequency(line));
+            double own = power[band] + force.variance()[line];
+            double weight = own > 0 ? Math.sqrt(shown[band] / own) : 0;
             out[2 * line] *= weight;
             out[2 * line + 1] *= weight;
         }
