@@ -1,10 +1,13 @@
 package wbv.body.simulate;
 
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import wbv.body.Model;
 import wbv.body.Row;
 import wbv.body.Spectra;
@@ -49,8 +52,8 @@ public final class Excitation {
     private final Optional<Stroke> stroke;
     private final boolean unit;
     private final Leaps leaps;
-    /** Forces on bodies beside it [N], spectra by body. */
-    private final Map<Integer, double[]> pushes;
+    /** Forces on bodies beside it [N], spectra by body: in their order, since sums in another differ by rounding. */
+    private final SortedMap<Integer, double[]> pushes;
     private final SolvedLines solved;
     private final boolean forced;
     /**
@@ -104,7 +107,7 @@ public final class Excitation {
         this.stroke = stroke;
         this.unit = false;
         this.leaps = Leaps.NONE;
-        this.pushes = Map.of();
+        this.pushes = Collections.emptySortedMap();
         this.solved = new SolvedLines();
         this.forced = forced;
         this.track = new double[base.length][0];
@@ -183,7 +186,7 @@ public final class Excitation {
                 filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
         return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new),
                 moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false, Leaps.NONE,
-                Map.of());
+                Collections.emptySortedMap());
     }
 
     private Excitation leaping(Leaps ahead) {
@@ -272,7 +275,7 @@ public final class Excitation {
     }
 
     private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded,
-            boolean unit, Leaps leaps, Map<Integer, double[]> pushes) {
+            boolean unit, Leaps leaps, SortedMap<Integer, double[]> pushes) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;
@@ -299,12 +302,12 @@ public final class Excitation {
      * @param force [N], by sample, as long as this or longer. Not modified.
      */
     public Excitation pushed(int body, double[] force) {
-        Map<Integer, double[]> all = new java.util.HashMap<>(pushes);
+        SortedMap<Integer, double[]> all = new TreeMap<>(pushes);
         all.merge(body, spectrum(Arrays.copyOf(force, samples)), (there, more) -> {
             Spectra.add(more, there, 1);
             return more;
         });
-        return new Excitation(this, base, track, others, recorded, unit, leaps, Map.copyOf(all));
+        return new Excitation(this, base, track, others, recorded, unit, leaps, Collections.unmodifiableSortedMap(all));
     }
 
     /**
@@ -327,7 +330,7 @@ public final class Excitation {
     }
 
     /** Forces on bodies beside it [N], spectra by body. Not copies. */
-    Map<Integer, double[]> pushes() {
+    SortedMap<Integer, double[]> pushes() {
         return pushes;
     }
 
@@ -342,7 +345,8 @@ public final class Excitation {
         for (int k = 0; k < omega.length; k++) {
             ones[axis][2 * k] = 1;
         }
-        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true, leaps, Map.of());
+        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true, leaps,
+                Collections.emptySortedMap());
     }
 
     /** The measured motion of the base where links are driven by it. */

@@ -2,7 +2,7 @@ package wbv.diagnosis.search;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
+import java.util.SortedMap;
 import java.util.stream.IntStream;
 import wbv.body.Spectra;
 import wbv.body.Structure;
@@ -174,8 +174,12 @@ final class AlongMeasured {
      */
     record Products(double[][] each, double[] left, double[][] held, double[] alone) {
 
-        /** How strong what each of the model's numbers does is beside some directions [1]. */
-        double[] numbers(Map<Integer, Double> strengths) {
+        /**
+         * How strong what each of the model's numbers does is beside some directions [1].
+         *
+         * @param strengths by direction, in their order: sums in another differ by rounding. Not modified
+         */
+        double[] numbers(SortedMap<Integer, Double> strengths) {
             double[] out = new double[alone.length];
             Arrays.setAll(out, k -> -alone[k] - strengths.entrySet().stream().mapToDouble(s -> s.getValue() * held[s.getKey()][k]).sum());
             return out;

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -44,7 +45,7 @@ final class MeasuredHeats {
         /** The model's numbers beside some of those that were looked at. */
         double[] numbers(Fitter.State base, Map<Integer, Double> strengths) {
             double[] x = base.x().clone();
-            along.move(x, products.numbers(strengths));
+            along.move(x, products.numbers(new TreeMap<>(strengths)));
             return x;
         }
     }

@@ -17,35 +17,20 @@ import wbv.diagnosis.fit.Place;
 record NearPairs(List<Known.Ignoring> pairs, Twins twins) {
 
     /**
-     * Of some.
+     * Of some: those some times as far from the noise as the best, or as far as what they leave scatters.
      *
      * @param base the model alone, fitted
      * @param all best first
      */
     static NearPairs of(Evidence evidence, Fitter.State base, List<Known.Ignoring> all) {
-        return new NearPairs(near(all, base),
-                Twins.of(evidence, base.candidate()));
+        double reach = Math.max(Locator.reach(all, Effort.ALIKE), Locator.scatter(base, Effort.ALIKE));
+        return new NearPairs(all.stream().filter(pair -> pair.reduced() < reach).toList(), Twins.of(evidence, base.candidate()));
     }
 
-    /** Those pairs alone. */
-    static List<Known.Ignoring> near(List<Known.Ignoring> all, Fitter.State base) {
-        double reach = reach(all, Effort.ALIKE, base);
-        return all.stream().filter(pair -> pair.reduced() < reach).toList();
-    }
-
-    /** What two places may leave beside which a pair of laws may still do. */
-    static double reach(List<Known.Ignoring> all, Fitter.State base) {
-        return reach(all, Effort.BEHIND, base);
-    }
-
-    /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
-    private static double reach(List<Known.Ignoring> all, double times, Fitter.State base) {
-        return Math.max(Locator.reach(all, times), Locator.scatter(base, times));
-    }
-
-    /** The first of each pair, best first; of twins one, and none that makes a pair with its twins alone. */
-    List<Place> firsts() {
-        return pairs.stream().map(pair -> twins.first(pair.places().get(0))).distinct().filter(one -> !partners(one).isEmpty()).toList();
+    /** The places of each pair, best first; of twins one, and none that makes a pair with its twins alone. */
+    List<Place> each() {
+        return pairs.stream().flatMap(pair -> pair.places().stream()).map(twins::first).distinct().filter(one -> !partners(one).isEmpty())
+                .toList();
     }
 
     /** The places that make a pair with one or a twin of it, best first, with the base's numbers as they fit beside both. */

@@ -1,5 +1,6 @@
 package wbv.diagnosis.search;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -79,19 +80,18 @@ public final class PairRivals {
     }
 
     private Stream<Fitter.State> inPlace(Hypothesis part, Hypothesis other, Fitter.State pair) {
-        Candidate left = base.candidate().with(other);
-        double[] x = base.candidate().alone(pair.candidate(), pair.x(), left, other);
-        Place there = Place.plain(part, left);
-        Stream<Fitter.State> others = there.equals(Place.plain(other, left)) ? beside(left, x, there, part, pair)
+        Rest left = rest(other, pair);
+        Place there = Place.plain(part, left.on());
+        Stream<Fitter.State> others = there.equals(Place.plain(other, left.on())) ? beside(left, there, part, pair)
                 : apart(there, part, other, pair);
-        return Stream.of(simpler(left, x, part, pair), further(left, x, part, pair), others)
-                .flatMap(fits -> fits).filter(fit -> !fit.failed() && !Search.extreme(fit));
+        return Stream.of(simpler(left, part, pair), further(left, part, pair), others).flatMap(fits -> fits).filter(PairRivals::isReal);
     }
 
     /** Of two at one place: whatever is sought there beside the other. */
-    private Stream<Fitter.State> beside(Candidate left, double[] x, Place there, Hypothesis part, Fitter.State pair) {
-        return search.leaders(search.fitter().lookWithSlopes(left, x, pair.frame()), Effort.SECONDS,
-                Whereabouts.among(evidence, left, Map.of(there, x)).only(rival -> !rival.claim().equals(part.claim()))).stream();
+    private Stream<Fitter.State> beside(Rest left, Place there, Hypothesis part, Fitter.State pair) {
+        return search.leaders(search.fitter().lookWithSlopes(left.on(), left.x(), pair.frame()), Effort.SECONDS,
+                Whereabouts.among(evidence, left.on(), Map.of(there, left.x())).only(rival -> !rival.claim().equals(part.claim())))
+                .stream();
     }
 
     /**
@@ -104,11 +104,10 @@ public final class PairRivals {
 
     /** What may stand in place of a part of a pair, at some places, beside the other, as the pair moves. */
     private MeasuredHeats heats(Hypothesis part, Hypothesis other, Fitter.State pair, Predicate<Place> places) {
-        Candidate left = base.candidate().with(other);
-        double[] x = base.candidate().alone(pair.candidate(), pair.x(), left, other);
+        Rest left = rest(other, pair);
         List<Hypothesis> rivals = search.hypotheses(base).stream()
-                .filter(rival -> places.test(Place.plain(rival, left)) && !rival.name().equals(part.name())).toList();
-        return new MeasuredHeats(evidence, search.fitter().lookWithSlopes(left, x, pair.frame()),
+                .filter(rival -> places.test(Place.plain(rival, left.on())) && !rival.name().equals(part.name())).toList();
+        return new MeasuredHeats(evidence, search.fitter().lookWithSlopes(left.on(), left.x(), pair.frame()),
                 Motion.simulated(evidence, pair.candidate().at(pair.x())), rivals);
     }
 
@@ -133,24 +132,49 @@ public final class PairRivals {
         return best;
     }
 
+    /** A pair of which each part has taken the further forms that pay beside the other, as a single mechanism has before it is compared. */
+    Fitter.State formed(Fitter.State pair) {
+        Fitter.State best = pair;
+        for (Hypothesis part : pair.candidate().added()) {
+            Fitter.State known = best;
+            Hypothesis other = known.candidate().added().stream().filter(each -> each != part).findFirst().orElseThrow();
+            best = Stream.concat(Stream.of(known), further(rest(other, known), part, known).filter(PairRivals::isReal))
+                    .min(Comparator.comparingDouble(Fitter.State::reduced)).orElse(known);
+        }
+        return best;
+    }
+
+    /** The model with one part of a pair, as the pair has it. */
+    private record Rest(Candidate on, double[] x) {}
+
+    private Rest rest(Hypothesis part, Fitter.State pair) {
+        Candidate on = base.candidate().with(part);
+        return new Rest(on, base.candidate().alone(pair.candidate(), pair.x(), on, part));
+    }
+
+    private static boolean isReal(Fitter.State fit) {
+        return !fit.failed() && !Search.extreme(fit);
+    }
+
     private record Without(Fitter.State pair, Hypothesis part) implements Known.Question<Optional<Fitter.State>> {}
 
     private Optional<Fitter.State> replaced(Fitter.State pair, Hypothesis part, Hypothesis other) {
         return evidence.known().once(new Without(pair, part), () -> {
             Place apart = Place.plain(other, base.candidate().with(other));
             return heats(part, other, pair, place -> !place.equals(apart)).best(1, Effort.PLACES).stream()
-                    .filter(fit -> !Search.extreme(fit)).findFirst();
+                    .filter(PairRivals::isReal).findFirst();
         });
     }
 
     /** The further forms of a part that pay, as for a single mechanism, and what yields for what sticks; none where noise is left. */
-    private Stream<Fitter.State> further(Candidate left, double[] x, Hypothesis part, Fitter.State pair) {
+    private Stream<Fitter.State> further(Rest left, Hypothesis part, Fitter.State pair) {
         if (Refinement.excess(pair.reduced()) <= PairSearch.QUIET) {
             return Stream.empty();
         }
-        Fitter.State without = search.fitter().look(left, x, pair.frame());
-        Candidate with = left.with(part);
-        Fitter.State last = search.fitter().look(with, left.extended(x, with, part, pair.candidate().values(part, pair.x())), pair.frame());
+        Fitter.State without = search.fitter().look(left.on(), left.x(), pair.frame());
+        Candidate with = left.on().with(part);
+        Fitter.State last = search.fitter().look(with,
+                left.on().extended(left.x(), with, part, pair.candidate().values(part, pair.x())), pair.frame());
         List<Hypothesis> all = search.hypotheses(base);
         return Stream.concat(new Yielding(search.refinement(), all, without).rivals(last).stream(),
                 new FurtherForm(search.refinement(), without, all).rivals(last).stream());
@@ -159,15 +183,13 @@ public final class PairRivals {
     /**
      * The forms of a part that do without some of its numbers, begun where it stands: a form with more of them hides its plain one where
      * only the best of a name is kept.
-     *
-     * @param x of what it is added to [1], one a knob. Not modified.
      */
-    private Stream<Fitter.State> simpler(Candidate left, double[] x, Hypothesis part, Fitter.State pair) {
+    private Stream<Fitter.State> simpler(Rest left, Hypothesis part, Fitter.State pair) {
         double[] values = pair.candidate().values(part, pair.x());
         List<String> keys = part.keys();
         return search.hypotheses(base).stream()
                 .filter(form -> form.claim().equals(part.claim()) && form.free() < part.free() && keys.containsAll(form.keys()))
-                .flatMap(form -> search.refinement().polished(left, form, x, pair.frame(),
+                .flatMap(form -> search.refinement().polished(left.on(), form, left.x(), pair.frame(),
                         List.of(form.keys().stream().mapToDouble(key -> values[keys.indexOf(key)]).toArray())).stream());
     }
 }

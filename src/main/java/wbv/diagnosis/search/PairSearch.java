@@ -2,14 +2,13 @@ package wbv.diagnosis.search;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -59,7 +58,7 @@ public final class PairSearch {
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
         // To one output every place explains everything.
-        return evidence.outputs().size() == 1 ? likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true))
+        return evidence.outputs().size() == 1 ? likeliest(single, oneByOne(single, leaders, hypothesis -> true))
                 : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
     }
 
@@ -80,7 +79,7 @@ public final class PairSearch {
                 || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0))
                         && firsts.atTwo().isEmpty());
         if (!one && !blind && firsts.leavesScatter(single)) {
-            return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> true));
+            return likeliest(single, oneByOne(single, List.of(single), hypothesis -> true));
         }
         List<Known.Ignoring> pairs = one ? List.of() : places.pairs(looked);
         // No form that a law may have there makes up for what shows elsewhere: that there is a second needs no evidence of its own.
@@ -95,14 +94,9 @@ public final class PairSearch {
      * @param two   whether there is a second in any case
      */
     private Chosen amongPairs(Fitter.State single, List<Fitter.State> leaders, List<Known.Ignoring> pairs, boolean blind, boolean two) {
-        Optional<Chosen> apart = places.pair(pairs).map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> true)));
-        if (apart.filter(pair -> refinement.outweighs(pair, Chosen.single(single))).isPresent()) {
-            return likeliest(single, List.of(apart.get()));
-        }
-        double most = blind ? Double.POSITIVE_INFINITY : Math.min(single.reduced(), NearPairs.reach(pairs, base));
-        List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, pairs, most)));
-        apart.ifPresent(proposals::add);
-        return likeliest(single, two ? proposals.stream().map(pair -> Chosen.single(pair.fit())).toList() : proposals);
+        List<Chosen> apart = places.pair(pairs).map(fit -> new Chosen(fit, two ? 0 : price(hypothesis -> true))).stream().toList();
+        return !blind || apart.stream().anyMatch(pair -> refinement.outweighs(pair, Chosen.single(single))) ? likeliest(single, apart)
+                : likeliest(single, Stream.concat(oneByOne(single, leaders, hypothesis -> true).stream(), apart.stream()).toList());
     }
 
     /**
@@ -113,7 +107,7 @@ public final class PairSearch {
         Place own = Place.ofLast(single);
         boolean law = single.candidate().last().isLaw();
         Assembly assembly = base.candidate().template();
-        return likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> own.hides(place(hypothesis), assembly)
+        return likeliest(single, oneByOne(single, List.of(single), hypothesis -> own.hides(place(hypothesis), assembly)
                 || place(hypothesis).equals(own) && !(law && hypothesis.isLaw())));
     }
 
@@ -182,18 +176,18 @@ public final class PairSearch {
      *
      * @param partners what may stand beside a first
      */
-    private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Function<Fitter.State, Predicate<Hypothesis>> partners) {
+    private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Predicate<Hypothesis> partners) {
         List<Chosen> out = new ArrayList<>();
         for (Fitter.State first : leaders.subList(0, Math.min(Effort.SECONDS, leaders.size()))) {
             if ((out.isEmpty() || Refinement.excess(least(out).fit().reduced()) > QUIET)
                     && (first == single || first.cost() < base.cost())) {
-                beside(first, partners.apply(first)).ifPresent(out::add);
+                beside(first, partners).ifPresent(out::add);
             }
         }
         if (!out.isEmpty() && Refinement.excess(least(out).fit().reduced()) > QUIET) {
             // The first was chosen while the second was still missing: once more, the other way round.
             Fitter.State second = firsts.alone(least(out).fit().candidate().last(), least(out).fit());
-            beside(second, partners.apply(second)).ifPresent(out::add);
+            beside(second, partners).ifPresent(out::add);
         }
         return out;
     }
@@ -216,24 +210,5 @@ public final class PairSearch {
         Mechanism.Together one = second.kind().together();
         return one != Mechanism.Together.TWO && one == first.candidate().last().kind().together()
                 && place(second).equals(Place.ofLast(first));
-    }
-
-    /**
-     * Hypotheses that may make a pair with the one of a fit: where whatever enters at two places leaves much, no two mechanisms there will
-     * do.
-     *
-     * @param places pairs of places that were looked at
-     * @param enough what they may leave
-     */
-    private static Predicate<Hypothesis> partners(Fitter.State first, List<Known.Ignoring> places, double enough) {
-        Place own = Place.ofLast(first);
-        Set<Place> hopeless = new HashSet<>();
-        for (Known.Ignoring pair : places) {
-            if (pair.places().contains(own) && pair.reduced() > enough) {
-                hopeless.addAll(pair.places());
-            }
-        }
-        hopeless.remove(own);
-        return hypothesis -> !hopeless.contains(Place.plain(hypothesis, first.candidate()));
     }
 }

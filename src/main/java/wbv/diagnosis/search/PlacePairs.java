@@ -63,7 +63,7 @@ final class PlacePairs {
 
     /** What shows beside the first places of the nearest pairs, least first. */
     private List<First> firsts(NearPairs near) {
-        return Parallel.map(near.firsts().stream().limit(Effort.PLACES).toList(), one -> first(one, near.partners(one))).stream()
+        return Parallel.map(near.each().stream().limit(Effort.PLACES).toList(), one -> first(one, near.partners(one))).stream()
                 .flatMap(Optional::stream).sorted(Comparator.comparingDouble(first -> first.fit().reduced())).limit(Effort.SECONDS)
                 .toList();
     }

@@ -83,7 +83,8 @@ final class TwoPlaces {
         double good = Math.max(Locator.reach(places, Effort.BEHIND), Refinement.form(base));
         Optional<Fitter.State> known = measured().map(MeasuredHeats.Found::fit);
         return measured().filter(pair -> pair.fit().reduced() < good || explains(pair)).isPresent() ? known
-                : new PlacePairs(evidence, search, base, progress).pair(NearPairs.of(evidence, base, places), known, good);
+                : new PlacePairs(evidence, search, base, progress).pair(NearPairs.of(evidence, base, places), known, good)
+                        .map(pair -> pair.reduced() < good ? pair : rivals().formed(pair));
     }
 
     /** Whether a pair explains nearly all, where no other came near. */
@@ -102,7 +103,11 @@ final class TwoPlaces {
     }
 
     private MeasuredHeats.Found inTurn(MeasuredHeats.Found pair) {
-        return new MeasuredHeats.Found(new PairRivals(evidence, search, base).inTurn(pair.fit()), pair.isAlone());
+        return new MeasuredHeats.Found(rivals().inTurn(pair.fit()), pair.isAlone());
+    }
+
+    private PairRivals rivals() {
+        return new PairRivals(evidence, search, base);
     }
 
     /**
