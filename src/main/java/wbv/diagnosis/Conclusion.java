@@ -61,7 +61,8 @@ final class Conclusion {
     private Optional<Diagnosed> withOwnForce(Chosen chosen, List<Fitter.State> fits) {
         int parts = chosen.fit().candidate().added().size();
         Optional<Chosen> pair = parts > 1 ? Optional.of(chosen)
-                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
+                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE && BodyForce.mayAct(evidence)
+                        ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
         Optional<Conclusion> known = Optional.of(this).filter(itself -> parts == 1 && evidence.acting().own().isPresent());
         return pair.flatMap(two -> inquiry.own(two.fit()).map(force -> new Conclusion(inquiry.knowing(force))).or(() -> known)
                 .flatMap(knowing -> knowing.again(two, fits, parts > 1)));

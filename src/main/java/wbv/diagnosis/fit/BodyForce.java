@@ -165,9 +165,13 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return of(evidence, state, assembly, body, new Entering(signal, rest.variance()), 1, 1);
     }
 
+    /** Whether such a force may act, and more outputs than one could show on which body: a rig moves nothing by itself. */
+    public static boolean mayAct(Evidence evidence) {
+        return evidence.outputs().size() > 1 && !evidence.onRig();
+    }
+
     private static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
-        int outputs = evidence.outputs().size();
-        if (outputs < 2 || evidence.onRig()) {
+        if (!mayAct(evidence)) {
             return Optional.empty();
         }
         Simulator simulator = new Simulator(evidence.excitation());

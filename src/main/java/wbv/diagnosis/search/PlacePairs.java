@@ -70,24 +70,22 @@ final class PlacePairs {
 
     /** @param places where it may act, likeliest first, with the base's numbers as they fit beside both */
     private Optional<First> first(Place ignored, Map<Place, double[]> places) {
-        Evidence seen = evidence.ignoring(ignored);
-        Fitter.State without = new Search(seen, progress).sloped(base.candidate(), new VariableProjection(evidence, List.of(ignored))
+        Search blind = new Search(evidence.ignoring(ignored), progress);
+        Fitter.State without = blind.sloped(base.candidate(), new VariableProjection(evidence, List.of(ignored))
                 .base(base.candidate(), places.values().iterator().next()).fit().x());
         Motion motion = Motion.measured(evidence, without.candidate().at(without.x()));
-        return raced(seen, without, motion, places::containsKey).map(fit -> new First(ignored, fit));
+        return blind.raced(without, motion, open(places::containsKey)).map(fit -> new First(ignored, fit));
     }
 
     /** What acts where a first was ignored, or at a place that no output tells apart, beside that as it moves. */
     private Optional<Fitter.State> second(First first, Twins twins) {
         Candidate with = first.fit().candidate();
         double[] x = first.fit().x();
-        return raced(evidence, search.fitter().lookWithSlopes(with, x, base.frame()), Motion.simulated(evidence, with.at(x)),
-                twins.of(first.ignored())::contains);
+        return search.raced(search.fitter().lookWithSlopes(with, x, base.frame()), Motion.simulated(evidence, with.at(x)),
+                open(twins.of(first.ignored())::contains));
     }
 
-    private Optional<Fitter.State> raced(Evidence by, Fitter.State on, Motion motion, Predicate<Place> places) {
-        List<Hypothesis> open = search.hypotheses(base).stream().filter(each -> places.test(Place.plain(each, base.candidate()))).toList();
-        return new MeasuredHeats(by, on, motion, open).best(1, Effort.PLACES).stream()
-                .filter(fit -> !Search.extreme(fit)).findFirst();
+    private List<Hypothesis> open(Predicate<Place> places) {
+        return search.hypotheses(base).stream().filter(each -> places.test(Place.plain(each, base.candidate()))).toList();
     }
 }

@@ -109,11 +109,11 @@ public final class PushedLaws {
         List<Place> both = Stream.concat(Stream.of(way.body()), way.others().stream().limit(1)).toList();
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
         Evidence pushed = evidence.pushed(way.body().index(), force).ignoring(way.body());
-        Fitter.State without = new Search(pushed, (step, share) -> {}).sloped(baseline, way.x());
+        Search blind = new Search(pushed, (step, share) -> {});
         List<Hypothesis> open = search.hypotheses(base).stream().filter(each -> way.others().contains(Place.plain(each, baseline)))
                 .toList();
-        return new MeasuredHeats(pushed, without, Motion.measured(pushed, baseline.at(way.x())), open).best(1, Effort.PLACES).stream()
-                .findFirst().map(fit -> new Begun(way.body(), force, fit));
+        return blind.raced(blind.sloped(baseline, way.x()), Motion.measured(pushed, baseline.at(way.x())), open)
+                .map(fit -> new Begun(way.body(), force, fit));
     }
 
     /** Mechanism and force in turn, begun with the force that the places told and as the mechanism tells it, whichever leads further. */

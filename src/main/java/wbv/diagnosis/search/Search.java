@@ -203,6 +203,15 @@ public final class Search {
 
     private record On(Fitter.State base) implements Known.Question<List<Hypothesis>> {}
 
+    /**
+     * What fits best beside a fit, racing along a motion that is nearly right; empty where that stands at a bound that nothing real has.
+     *
+     * @param on with its derivatives
+     */
+    Optional<Fitter.State> raced(Fitter.State on, Motion motion, List<Hypothesis> open) {
+        return new MeasuredHeats(evidence, on, motion, open).best(1, Effort.PLACES).stream().filter(fit -> !extreme(fit)).findFirst();
+    }
+
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
     private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
         double[] lines = SpectralLines.of(base.residual(), evidence.fit());
@@ -212,18 +221,9 @@ public final class Search {
     }
 
     /** The best hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
-    Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
+    public Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
         return leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where).stream().filter(fit -> !extreme(fit))
                 .findFirst();
-    }
-
-    /**
-     * The same wherever it may act.
-     *
-     * @param open which hypotheses to try
-     */
-    public Optional<Fitter.State> best(Fitter.State base, Predicate<Hypothesis> open) {
-        return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
     }
 
     /**

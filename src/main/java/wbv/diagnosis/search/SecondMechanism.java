@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
@@ -11,6 +12,7 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -41,7 +43,7 @@ public final class SecondMechanism {
     public Optional<Chosen> of(Fitter.State single) {
         boolean asked = Math.min(single.reduced(), refinement.heldOut(single)) > Priors.SILENT;
         Set<Place> elsewhere = asked ? elsewhere(single) : Set.of();
-        return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
+        return elsewhere.isEmpty() ? Optional.empty() : raced(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
                 .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
     }
 
@@ -71,7 +73,12 @@ public final class SecondMechanism {
     /** The fit, or one with a simpler law at its place, as a memory in that of a reflex, where that is as likely. */
     private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
         Hypothesis found = fit.candidate().last();
-        return search.best(single, found::yieldsTo).filter(other -> Calibration.standard().isAsLikely(other.reduced(), fit.reduced()))
+        return raced(single, found::yieldsTo).filter(other -> Calibration.standard().isAsLikely(other.reduced(), fit.reduced()))
                 .orElse(fit);
+    }
+
+    private Optional<Fitter.State> raced(Fitter.State single, Predicate<Hypothesis> open) {
+        return search.raced(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()),
+                Motion.simulated(evidence, single.candidate().at(single.x())), search.hypotheses(single).stream().filter(open).toList());
     }
 }

@@ -41,6 +41,7 @@ import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.Whereabouts;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -114,8 +115,9 @@ public class LawLearnerTest {
     private static boolean promises(Law law, String name) {
         Evidence evidence = new Evidence(model(List.of()), recording(law));
         Search search = new Search(evidence, (step, share) -> {});
-        Fitter.State named = search.best(search.base(Baseline.of(evidence)),
-                hypothesis -> hypothesis.where().equals("platform-torso") && hypothesis.mechanism().equals(name)).orElseThrow();
+        Fitter.State base = search.base(Baseline.of(evidence));
+        Fitter.State named = search.best(base, Whereabouts.anywhere(evidence, base.candidate())
+                .only(hypothesis -> hypothesis.where().equals("platform-torso") && hypothesis.mechanism().equals(name))).orElseThrow();
         return new LawLearner(evidence, search, named, List.of()).promises();
     }
 
@@ -143,7 +145,8 @@ public class LawLearnerTest {
         Evidence evidence = new Evidence(model(List.of()), recording);
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
-        Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
+        Fitter.State named = search.best(base, Whereabouts.anywhere(evidence, base.candidate())
+                .only(hypothesis -> hypothesis.mechanism().equals("stiffness.hardening"))).orElseThrow();
         assertTrue(LawProof.lacks(new Fits(evidence, base, base, Chosen.single(named), List.of(named))), "left " + named.reduced());
         LawLearner learner = new LawLearner(evidence, search, named, List.of());
         Sentence best = learner.law(learner.sentences(named), Chosen.single(named)).orElseThrow();

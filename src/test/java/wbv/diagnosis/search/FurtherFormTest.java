@@ -56,8 +56,10 @@ class FurtherFormTest {
                 LawLearnerTest.recording(new PartialSaturation(KNEE, sharpness, kept)));
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
-        Fitter.State best = search.best(base, hypothesis -> hypothesis.where().equals("platform-torso")
-                && hypothesis.mechanism().equals("stiffness.softening")).orElseThrow();
+        Fitter.State best = search
+                .best(base, Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> hypothesis.where().equals("platform-torso")
+                        && hypothesis.mechanism().equals("stiffness.softening")))
+                .orElseThrow();
         assertEquals(form, best.candidate().last().form());
         double[] found = Numbers.values((Record) best.candidate().at(best.x()).laws().get(0).law());
         assertEquals(KNEE, found[0], 0.1 * KNEE);
@@ -75,8 +77,10 @@ class FurtherFormTest {
         BristleFriction truth = new BristleFriction(40, 60, 5e-3, 4e5);
         Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(truth));
         Search search = new Search(evidence, (step, share) -> {});
-        Fitter.State best = search.best(search.base(Baseline.of(evidence)), hypothesis -> hypothesis.where().equals("platform-torso")
-                && hypothesis.mechanism().equals("friction.coulomb") && hypothesis.form().isEmpty()).orElseThrow();
+        Fitter.State best = search.best(search.base(Baseline.of(evidence)),
+                Whereabouts.anywhere(evidence, Baseline.of(evidence)).only(hypothesis -> hypothesis.where().equals("platform-torso")
+                        && hypothesis.mechanism().equals("friction.coulomb") && hypothesis.form().isEmpty()))
+                .orElseThrow();
         BristleFriction found = assertInstanceOf(BristleFriction.class, best.candidate().at(best.x()).laws().get(0).law());
         assertEquals(truth.friction(), found.friction(), 0.1 * truth.friction());
         assertEquals(truth.bristle(), found.bristle(), 0.2 * truth.bristle());
@@ -106,8 +110,10 @@ class FurtherFormTest {
     private static Law changed(Law truth, String mechanism) {
         Evidence evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(truth));
         Search search = new Search(evidence, (step, share) -> {});
-        Fitter.State best = search.best(search.base(Baseline.of(evidence)), hypothesis -> hypothesis.where().equals("platform-torso")
-                && hypothesis.mechanism().equals(mechanism) && hypothesis.form().isEmpty()).orElseThrow();
+        Fitter.State best = search.best(search.base(Baseline.of(evidence)),
+                Whereabouts.anywhere(evidence, Baseline.of(evidence)).only(hypothesis -> hypothesis.where().equals("platform-torso")
+                        && hypothesis.mechanism().equals(mechanism) && hypothesis.form().isEmpty()))
+                .orElseThrow();
         return best.candidate().at(best.x()).laws().get(0).law();
     }
 
@@ -137,7 +143,10 @@ class FurtherFormTest {
         Evidence evidence = new Evidence(model, LawLearnerTest.recording(riding(model, cubic)));
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
-        Fitter.State best = search.best(base, hypothesis -> hypothesis.mechanism().equals("mode.hidden")).orElseThrow();
+        Fitter.State best = search
+                .best(base,
+                        Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> hypothesis.mechanism().equals("mode.hidden")))
+                .orElseThrow();
         Model completed = Augmented.of(model, best.candidate().at(best.x()));
         return completed.bodies().get(0).hidden().orElseThrow();
     }

@@ -92,7 +92,8 @@ class MeasuredStartsTest {
         double drag = 60;
         Strong alone = strong(seed, quantity, u -> u * u * u, drag);
         Search search = new Search(alone.evidence(), (step, share) -> {});
-        Fitter.State cube = search.best(alone.base(), h -> h.mechanism().equals("stiffness.hardening") && h.form().isEmpty()).orElseThrow();
+        Fitter.State cube = search.best(alone.base(), Whereabouts.anywhere(alone.evidence(), alone.base().candidate())
+                .only(h -> h.mechanism().equals("stiffness.hardening") && h.form().isEmpty())).orElseThrow();
         assertTrue(cube.reduced() > 100, "a cube alone is far off: " + cube.reduced());
         begun(new Strong(alone.evidence(), search.sloped(cube.candidate(), cube.x()), alone.typical()), "damping.quadratic", drag, 0.15);
     }

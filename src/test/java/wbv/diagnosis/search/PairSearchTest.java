@@ -101,7 +101,9 @@ class PairSearchTest {
         Search search = new Search(evidence, (step, share) -> {});
         Fitter.State base = search.base(Baseline.of(evidence));
         String where = new ObjectMapper().readTree(made.key()).path("mechanisms").get(0).path("where").asText();
-        Fitter.State friction = search.best(base, h -> h.mechanism().equals(words.get(0)) && h.where().equals(where)).orElseThrow();
+        Fitter.State friction = search.best(base,
+                Whereabouts.anywhere(evidence, base.candidate()).only(h -> h.mechanism().equals(words.get(0)) && h.where().equals(where)))
+                .orElseThrow();
         return new PairSearch(evidence, search, base, (step, share) -> {}).showsElsewhere(friction);
     }
 
