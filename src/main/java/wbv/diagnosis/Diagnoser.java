@@ -111,9 +111,10 @@ public final class Diagnoser {
         boolean louderLater = !asked && heldOut > Priors.STRANGE && heldOut > Priors.STRANGE * base.reduced();
         // What is plain is sought, whatever data that were not used show: a law may act little in a part that is shaken less.
         boolean loud = Math.min(base.reduced(), heldOut) > Priors.SILENT || base.reduced() > Priors.LOUD || heldOut > Priors.STRANGE;
-        // The little that is left may be noise of an input of which nobody knows it.
+        // The little that is left may be a person's own force, or noise of an input of which nobody knows it.
         boolean quiet = Math.max(base.reduced(), heldOut) < Priors.SILENT;
-        return louderLater ? louderLater() : loud ? searched() : Conclusion.of(quiet ? inquiry : inquiry.hearingInput(base), List.of());
+        return louderLater ? louderLater() : loud ? searched() : quiet ? Conclusion.of(inquiry, List.of())
+                : sittingStill().orElseGet(() -> Conclusion.of(inquiry.hearingInput(base), List.of()));
     }
 
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
@@ -148,8 +149,7 @@ public final class Diagnoser {
      * used for it too: no law that is not linear does so little to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> linear() {
-        boolean plain = !(base.reduced() < Priors.GLARING);
-        List<Fitter.State> leaders = plain ? search.linear(base, Effort.LEADERS, Priors.MAJORITY) : List.of();
+        List<Fitter.State> leaders = base.reduced() < Priors.GLARING ? List.of() : search.linear(base, Effort.LEADERS, Priors.MAJORITY);
         return leaders.stream().findFirst().filter(best -> !(Refinement.explained(base, best) < Priors.NEARLY_ALL))
                 .flatMap(best -> inquiry.leaves(best, Priors.SILENT) ? Optional.of(Conclusion.of(inquiry, leaders))
                         : besideWhoSitsStill(best, leaders));
