@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
 /**
@@ -13,9 +12,7 @@ import java.util.function.Supplier;
  */
 public final class Known {
 
-    private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
-    private final AtomicReference<Fitter.State> base = new AtomicReference<>();
-    private final Map<Question<?>, Object> others = new ConcurrentHashMap<>();
+    private final Map<Question<?>, Object> answers = new ConcurrentHashMap<>();
 
     /**
      * What may be asked more than once, told by being equal.
@@ -26,12 +23,12 @@ public final class Known {
 
     /** A part that is shaken hard, see {@link Evidence#brief}. */
     Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
-        return once(brief, find);
+        return once(new Brief(), find);
     }
 
     /** The user's model fitted. */
     public Fitter.State base(Supplier<Fitter.State> fit) {
-        return once(base, fit);
+        return once(new Base(), fit);
     }
 
     /**
@@ -44,21 +41,19 @@ public final class Known {
     public record Ignoring(List<Place> places, double[] x, double reduced) {}
 
     /**
-     * Whatever else is asked for more than once.
+     * Whatever is asked for more than once.
      *
      * @param <A> what the answer is
      * @param find works it out if nobody asked
      */
     @SuppressWarnings("unchecked")   // a question is kept with nothing but an answer to it
     public <A> A once(Question<A> question, Supplier<A> find) {
-        Object found = others.containsKey(question) ? others.get(question) : find.get();
-        others.put(question, found);
+        Object found = answers.containsKey(question) ? answers.get(question) : find.get();
+        answers.put(question, found);
         return (A) found;
     }
 
-    private static <T> T once(AtomicReference<T> known, Supplier<T> find) {
-        T found = Optional.ofNullable(known.get()).orElseGet(find);
-        known.set(found);
-        return found;
-    }
+    private record Brief() implements Question<Optional<Evidence>> {}
+
+    private record Base() implements Question<Fitter.State> {}
 }

@@ -39,7 +39,7 @@ public record LevelDependence(double slope, double doubt, double least) {
     private static final double LARGEST = 3;
     /** Standard deviations that a normal deviate passes once in a thousand times [1]. */
     private static final double EXCLUDED = 3.1;
-    /** Part of its power that goes with a series from which on a force is taken to answer to it. */
+    /** Part of its power [1] that goes with a series from which on a force is taken to answer to it: assumed. */
     static final double COHERENT = 0.35;
 
     /**
