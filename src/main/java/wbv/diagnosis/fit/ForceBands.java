@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -28,10 +29,8 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
         double[] power = new double[edges.length];
         int[] count = new int[edges.length];
         double[] noise = new double[edges.length];
-        for (int line = 0, band = 0; line < window.lines(); line++) {
-            while (window.frequency(line) > edges[band]) {
-                band++;
-            }
+        for (int line = 0; line < window.lines(); line++) {
+            int band = band(edges, window.frequency(line));
             double re = force.signal()[2 * line];
             double im = force.signal()[2 * line + 1];
             power[band] += (re * re + im * im) / 2;
@@ -112,10 +111,10 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
 
     /** Variance of each part of a line at a frequency [N²]. */
     double power(double frequency) {
-        return power[band(frequency)];
+        return power[band(edges, frequency)];
     }
 
-    private int band(double frequency) {
+    private static int band(double[] edges, double frequency) {
         int band = 0;
         while (band < edges.length - 1 && edges[band] < frequency) {
             band++;
@@ -133,14 +132,10 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
      * @return [1], at the lines of the window, a new array
      */
     double[] telling(Entering force, Window window) {
-        double[] out = force.signal().clone();
-        for (int line = 0; line < window.lines(); line++) {
+        return weighed(force, window, line -> {
             double own = power(window.frequency(line));
-            double weight = own > 0 ? Math.sqrt(own) / (own + force.variance()[line]) : 0;
-            out[2 * line] *= weight;
-            out[2 * line + 1] *= weight;
-        }
-        return out;
+            return own > 0 ? Math.sqrt(own) / (own + force.variance()[line]) : 0;
+        });
     }
 
     /**
@@ -150,14 +145,20 @@ record ForceBands(double rms, double even, double[] edges, double[] power) {
      * @return [N], at the lines of the window, a new array
      */
     double[] counting(Entering force, Window window) {
-        double[] out = force.signal().clone();
         double[] shown = shown(edges, power);
-        for (int line = 0; line < window.lines(); line++) {
-            int band = band(window.frequency(line));
+        return weighed(force, window, line -> {
+            int band = band(edges, window.frequency(line));
             double own = power[band] + force.variance()[line];
-            double weight = own > 0 ? Math.sqrt(shown[band] / own) : 0;
-            out[2 * line] *= weight;
-            out[2 * line + 1] *= weight;
+            return own > 0 ? Math.sqrt(shown[band] / own) : 0;
+        });
+    }
+
+    private static double[] weighed(Entering force, Window window, IntToDoubleFunction weight) {
+        double[] out = force.signal().clone();
+        for (int line = 0; line < window.lines(); line++) {
+            double by = weight.applyAsDouble(line);
+            out[2 * line] *= by;
+            out[2 * line + 1] *= by;
         }
         return out;
     }

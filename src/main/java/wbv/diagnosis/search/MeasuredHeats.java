@@ -109,8 +109,16 @@ final class MeasuredHeats {
         return best(most, Effort.CONTENDERS);
     }
 
-    /** The same where only so many names race of each way: the nearer the motion is to the truth, the fewer need to. */
-    List<Fitter.State> best(int most, int contenders) {
+    /**
+     * The one that fits best along a motion that is nearly right, for which fewer need to race; empty where it stands at a bound that
+     * nothing real has.
+     */
+    Optional<Fitter.State> first() {
+        return best(1, Effort.PLACES).stream().filter(fit -> !Search.extreme(fit)).findFirst();
+    }
+
+    /** @param contenders how many names race of each way */
+    private List<Fitter.State> best(int most, int contenders) {
         List<Single> first = ways.stream().flatMap(way -> singles(way).limit(contenders)).toList();
         List<Fitter.State> heat = race.last(Parallel.map(first, this::begun));
         Set<Set<String>> names = new HashSet<>();

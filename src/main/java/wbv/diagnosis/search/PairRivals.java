@@ -105,8 +105,7 @@ public final class PairRivals {
     /** What may stand in place of a part of a pair, at some places, beside the other, as the pair moves. */
     private MeasuredHeats heats(Hypothesis part, Hypothesis other, Fitter.State pair, Predicate<Place> places) {
         Rest left = rest(other, pair);
-        List<Hypothesis> rivals = search.hypotheses(base).stream()
-                .filter(rival -> places.test(Place.plain(rival, left.on())) && !rival.name().equals(part.name())).toList();
+        List<Hypothesis> rivals = search.hypotheses(base, places).stream().filter(rival -> !rival.name().equals(part.name())).toList();
         return new MeasuredHeats(evidence, search.fitter().lookWithSlopes(left.on(), left.x(), pair.frame()),
                 Motion.simulated(evidence, pair.candidate().at(pair.x())), rivals);
     }
@@ -161,23 +160,26 @@ public final class PairRivals {
     private Optional<Fitter.State> replaced(Fitter.State pair, Hypothesis part, Hypothesis other) {
         return evidence.known().once(new Without(pair, part), () -> {
             Place apart = Place.plain(other, base.candidate().with(other));
-            return heats(part, other, pair, place -> !place.equals(apart)).best(1, Effort.PLACES).stream()
-                    .filter(PairRivals::isReal).findFirst();
+            return heats(part, other, pair, place -> !place.equals(apart)).first();
         });
     }
 
+    private record Further(Fitter.State pair, Hypothesis part) implements Known.Question<List<Fitter.State>> {}
+
     /** The further forms of a part that pay, as for a single mechanism, and what yields for what sticks; none where noise is left. */
     private Stream<Fitter.State> further(Rest left, Hypothesis part, Fitter.State pair) {
-        if (Refinement.excess(pair.reduced()) <= PairSearch.QUIET) {
-            return Stream.empty();
-        }
+        return Refinement.excess(pair.reduced()) <= PairSearch.QUIET ? Stream.empty()
+                : evidence.known().once(new Further(pair, part), () -> furtherForms(left, part, pair)).stream();
+    }
+
+    private List<Fitter.State> furtherForms(Rest left, Hypothesis part, Fitter.State pair) {
         Fitter.State without = search.fitter().look(left.on(), left.x(), pair.frame());
         Candidate with = left.on().with(part);
         Fitter.State last = search.fitter().look(with,
                 left.on().extended(left.x(), with, part, pair.candidate().values(part, pair.x())), pair.frame());
         List<Hypothesis> all = search.hypotheses(base);
         return Stream.concat(new Yielding(search.refinement(), all, without).rivals(last).stream(),
-                new FurtherForm(search.refinement(), without, all).rivals(last).stream());
+                new FurtherForm(search.refinement(), without, all).rivals(last).stream()).toList();
     }
 
     /**

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.function.Predicate;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -14,7 +13,6 @@ import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Two mechanisms at two places: one races while whatever enters at the other's place is ignored, the other beside it as that moves, then
@@ -74,7 +72,7 @@ final class PlacePairs {
         Fitter.State without = blind.sloped(base.candidate(), new VariableProjection(evidence, List.of(ignored))
                 .base(base.candidate(), places.values().iterator().next()).fit().x());
         Motion motion = Motion.measured(evidence, without.candidate().at(without.x()));
-        return blind.raced(without, motion, open(places::containsKey)).map(fit -> new First(ignored, fit));
+        return blind.raced(without, motion, search.hypotheses(base, places::containsKey)).map(fit -> new First(ignored, fit));
     }
 
     /** What acts where a first was ignored, or at a place that no output tells apart, beside that as it moves. */
@@ -82,10 +80,6 @@ final class PlacePairs {
         Candidate with = first.fit().candidate();
         double[] x = first.fit().x();
         return search.raced(search.fitter().lookWithSlopes(with, x, base.frame()), Motion.simulated(evidence, with.at(x)),
-                open(twins.of(first.ignored())::contains));
-    }
-
-    private List<Hypothesis> open(Predicate<Place> places) {
-        return search.hypotheses(base).stream().filter(each -> places.test(Place.plain(each, base.candidate()))).toList();
+                search.hypotheses(base, twins.of(first.ignored())::contains));
     }
 }

@@ -16,7 +16,6 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A mechanism and a force on a body that nobody measured, found together: by itself neither shows what it is beside the other. A law that
@@ -110,9 +109,8 @@ public final class PushedLaws {
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
         Evidence pushed = evidence.pushed(way.body().index(), force).ignoring(way.body());
         Search blind = new Search(pushed, (step, share) -> {});
-        List<Hypothesis> open = search.hypotheses(base).stream().filter(each -> way.others().contains(Place.plain(each, baseline)))
-                .toList();
-        return blind.raced(blind.sloped(baseline, way.x()), Motion.measured(pushed, baseline.at(way.x())), open)
+        return blind.raced(blind.sloped(baseline, way.x()), Motion.measured(pushed, baseline.at(way.x())),
+                search.hypotheses(base, way.others()::contains))
                 .map(fit -> new Begun(way.body(), force, fit));
     }
 

@@ -21,6 +21,7 @@ import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Scene;
@@ -203,13 +204,18 @@ public final class Search {
 
     private record On(Fitter.State base) implements Known.Question<List<Hypothesis>> {}
 
+    /** Those of them that may act at some places, by their plain names. */
+    List<Hypothesis> hypotheses(Fitter.State base, Predicate<Place> places) {
+        return hypotheses(base).stream().filter(each -> places.test(Place.plain(each, base.candidate()))).toList();
+    }
+
     /**
      * What fits best beside a fit, racing along a motion that is nearly right; empty where that stands at a bound that nothing real has.
      *
      * @param on with its derivatives
      */
     Optional<Fitter.State> raced(Fitter.State on, Motion motion, List<Hypothesis> open) {
-        return new MeasuredHeats(evidence, on, motion, open).best(1, Effort.PLACES).stream().filter(fit -> !extreme(fit)).findFirst();
+        return new MeasuredHeats(evidence, on, motion, open).first();
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
