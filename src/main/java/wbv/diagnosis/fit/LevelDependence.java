@@ -40,9 +40,9 @@ public record LevelDependence(double slope, double doubt, double least) {
     /** Standard deviations that a normal deviate passes once in a thousand times [1]. */
     private static final double EXCLUDED = 3.1;
     /**
-     * Part of its power [1] that goes with a series from which on a force is taken to answer to it. Of what 39 simulated people who sat still
-     * did on a platform or a road 0 to 0.21 went with the base, nothing sure of 24; of what a mass made that no sensor saw, 0.45 to 0.92 of
-     * eight in nine.
+     * Part of its power [1] that goes with a series from which on a force is taken to answer to it. Of the forces of 39 people who sat
+     * still on a platform or a road, simulated, 0 to 0.21 went with the base, nothing sure of 24; of those of a mass that no sensor saw,
+     * 0.45 to 0.92 of eight in nine.
      */
     static final double COHERENT = 0.35;
 
