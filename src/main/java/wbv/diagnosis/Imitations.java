@@ -187,7 +187,7 @@ final class Imitations {
 
     /** What stands for a simulation has numbers that nobody gave. */
     private double numbers(Fitter.State fit) {
-        return evidence.standsForSimulation() ? 0 : OwnNumbers.logPrior(search.fitter(), fit);
+        return evidence.standsForSimulation() ? 0 : OwnNumbers.logPrior(search.fitter(), fit, 1 / Calibration.standard().nulls());
     }
 
     /** What data that were not used say against a fit: sum of squares of what is left of them and of the sensors' errors. */

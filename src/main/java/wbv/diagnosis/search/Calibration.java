@@ -69,6 +69,18 @@ public record Calibration(double forms, double chance, double lapse, double null
     }
 
     /**
+     * How sharply {@link #evidence} falls as numbers move away from a fit that leaves least, against how half the sum of squares rises: by
+     * the ratio of their second derivatives there, 0 to 1 [1]. Where much is left, it is of a form that is not quite right, and numbers are
+     * told no better than that.
+     *
+     * @param left mean square of the whitened residual that the fit leaves [1]
+     * @param degrees of freedom of the data [1]
+     */
+    public double sharpness(double left, double degrees) {
+        return Math.min(1, forms / (degrees * Math.max(left - 1, chance)));
+    }
+
+    /**
      * Whether a hypothesis is less likely than another by no more than a number more in its formula would cost.
      *
      * @param left mean square of the whitened residual that it leaves [1]

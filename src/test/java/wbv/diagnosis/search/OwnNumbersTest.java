@@ -9,8 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.DiagonalMatrix;
 import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.fit.Baseline;
@@ -47,7 +51,7 @@ class OwnNumbersTest {
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
         Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 30, 1e-6);
-        return OwnNumbers.logPrior(fitter, fit);
+        return OwnNumbers.logPrior(fitter, fit, 1);
     }
 
     @Test
@@ -55,7 +59,7 @@ class OwnNumbersTest {
         Evidence evidence = new Evidence(right, recording);
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
-        assertEquals(0, OwnNumbers.logPrior(fitter, fitter.look(baseline, new double[baseline.knobs().size()], evidence.fit())));
+        assertEquals(0, OwnNumbers.logPrior(fitter, fitter.look(baseline, new double[baseline.knobs().size()], evidence.fit()), 1));
     }
 
     /** The fit finds the same body: what it costs that one stiffness was given three times too small is that number's alone. */
@@ -69,9 +73,13 @@ class OwnNumbersTest {
         assertEquals(costs, given - wrong, 0.15 * costs);
     }
 
-    /** By the definition, knob by knob, with variances by the inverse of the curvature. */
-    @Test
-    void whatTheDataLeaveOpenCountsAsScatter() {
+    /**
+     * By the definition, knob by knob, with variances by the inverse of the curvature: the data's part, as far as they are believed, with
+     * what is known before of all but the links.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.1, 0.001})
+    void whatTheDataLeaveOpenCountsAsScatter(double sharpness) {
         Evidence evidence = new Evidence(right, recording);
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
@@ -81,11 +89,15 @@ class OwnNumbersTest {
             double[] moved = x.clone();
             moved[at] = 1;
             Fitter.State look = fitter.look(baseline, moved, evidence.fit());
-            double[][] curvature = new Normal(fitter.lookWithSlopes(baseline, moved, look.frame())).curvature();
-            double variance = new LUDecomposition(
-                    new Array2DRowRealMatrix(curvature)).getSolver().getInverse().getEntry(at, at);
+            RealMatrix curvature = new Array2DRowRealMatrix(
+                    new Normal(fitter.lookWithSlopes(baseline, moved, look.frame())).curvature());
+            RealMatrix before = new DiagonalMatrix(baseline.knobs().stream().mapToDouble(knob -> Math.pow(knob.deviation(), -2)).toArray());
+            RealMatrix others = new DiagonalMatrix(baseline.knobs().stream()
+                    .mapToDouble(knob -> knob.isOfLink() ? 0 : Math.pow(knob.deviation(), -2)).toArray());
+            RealMatrix told = curvature.subtract(before).scalarMultiply(sharpness).add(others);
+            double variance = new LUDecomposition(told).getSolver().getInverse().getEntry(at, at);
             double scale = Priors.NUMBER;
-            assertEquals(-Math.log(1 + 1 / (scale * scale + variance)), OwnNumbers.logPrior(fitter, look), 1e-6);
+            assertEquals(-Math.log(1 + 1 / (scale * scale + variance)), OwnNumbers.logPrior(fitter, look, sharpness), 1e-6);
         }
     }
 
