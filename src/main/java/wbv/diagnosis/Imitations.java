@@ -141,7 +141,7 @@ final class Imitations {
                 .only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
         // A sensor that is later than sensors scatter looks like a memory, and a fit takes it for small errors of several.
         List<Fitter.State> fits = Stream.of(imitated.stream(), new OddSensor(evidence, refinement).in(base).stream(),
-                search.leaders(base, Effort.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit)))
+                search.leaders(base, Effort.LEADERS, where, 2 * price).stream().filter(fit -> !Refinement.extreme(fit)))
                 .flatMap(Function.identity()).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));

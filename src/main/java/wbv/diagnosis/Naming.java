@@ -11,7 +11,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Priors;
-import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.Refinement;
 
 /** Whether the mechanisms of the best hypothesis are named, and how surely. */
 final class Naming {
@@ -57,7 +57,7 @@ final class Naming {
      * it stands at a bound that nothing real has.
      */
     Optional<Explanation> nearest(List<Diagnosis.Latent> places) {
-        boolean real = best != base && !Search.extreme(best) && grounds.foretells(best);
+        boolean real = best != base && !Refinement.extreme(best) && grounds.foretells(best);
         List<Diagnosis.Proof> proofs = real ? grounds.shown().figures(best).channels() : List.of();
         boolean better = proofs.stream().anyMatch(proof -> proof.removed().low() > 0)
                 && proofs.stream().noneMatch(proof -> proof.removed().high() < 0);
@@ -85,7 +85,7 @@ final class Naming {
 
     /** Whether the best hypothesis is not good enough: what fits best at a bound that nothing real has is something else. */
     private boolean isPoor() {
-        return !carriesOver() || Search.extreme(best);
+        return !carriesOver() || Refinement.extreme(best);
     }
 
     /**

@@ -20,7 +20,6 @@ import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.OwnNumbers;
 import wbv.diagnosis.search.Refinement;
-import wbv.diagnosis.search.Search;
 
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
@@ -90,7 +89,7 @@ final class Standing {
         Predicate<Weight> open = weight -> weight.parts() == parts
                 || weight.parts() == 1 && (!answered || isOwn(weight.fit().candidate().last()));
         return weights.stream().takeWhile(weight -> !weight.claim().equals(found())).filter(open)
-                .filter(weight -> !Search.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
+                .filter(weight -> !Refinement.extreme(weight.fit()) && fits.isLikelier(weight.fit(), weight.numbers() - numbers()))
                 .map(Weight::fit).findFirst();
     }
 

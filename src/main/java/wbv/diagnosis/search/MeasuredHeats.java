@@ -114,7 +114,7 @@ final class MeasuredHeats {
      * nothing real has.
      */
     Optional<Fitter.State> first() {
-        return best(1, Effort.PLACES).stream().filter(fit -> !Search.extreme(fit)).findFirst();
+        return best(1, Effort.PLACES).stream().filter(fit -> !Refinement.extreme(fit)).findFirst();
     }
 
     /** @param contenders how many names race of each way */

@@ -48,7 +48,7 @@ public final class OddSensor {
     private Optional<Fitter.State> late(Fitter.State base, int output) {
         Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
         return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
-                .filter(h -> isLate(h, output)).map(h -> late(base, h, output)).filter(fit -> !fit.failed() && !Search.extreme(fit))
+                .filter(h -> isLate(h, output)).map(h -> late(base, h, output)).filter(fit -> !fit.failed() && !Refinement.extreme(fit))
                 .min(Comparator.comparingDouble(Fitter.State::reduced));
     }
 

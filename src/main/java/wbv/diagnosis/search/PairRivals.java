@@ -152,7 +152,7 @@ public final class PairRivals {
     }
 
     private static boolean isReal(Fitter.State fit) {
-        return !fit.failed() && !Search.extreme(fit);
+        return !fit.failed() && !Refinement.extreme(fit);
     }
 
     private record Without(Fitter.State pair, Hypothesis part) implements Known.Question<Optional<Fitter.State>> {}

@@ -6,11 +6,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
-import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 
@@ -69,17 +67,13 @@ final class PlacePairs {
     /** @param places where it may act, likeliest first, with the base's numbers as they fit beside both */
     private Optional<First> first(Place ignored, Map<Place, double[]> places) {
         Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.sloped(base.candidate(), new VariableProjection(evidence, List.of(ignored))
-                .base(base.candidate(), places.values().iterator().next()).fit().x());
-        Motion motion = Motion.measured(evidence, without.candidate().at(without.x()));
-        return blind.raced(without, motion, search.hypotheses(base, places::containsKey)).map(fit -> new First(ignored, fit));
+        double[] x = new VariableProjection(evidence, List.of(ignored)).base(base.candidate(), places.values().iterator().next()).fit().x();
+        return blind.racedAsMeasured(base.candidate(), x, search.hypotheses(base, places::containsKey)).map(fit -> new First(ignored, fit));
     }
 
     /** What acts where a first was ignored, or at a place that no output tells apart, beside that as it moves. */
     private Optional<Fitter.State> second(First first, Twins twins) {
-        Candidate with = first.fit().candidate();
-        double[] x = first.fit().x();
-        return search.raced(search.fitter().lookWithSlopes(with, x, base.frame()), Motion.simulated(evidence, with.at(x)),
+        return search.racedAsMoved(first.fit().candidate(), first.fit().x(), base.frame(),
                 search.hypotheses(base, twins.of(first.ignored())::contains));
     }
 }

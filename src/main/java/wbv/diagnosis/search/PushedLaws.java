@@ -14,7 +14,6 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 
 /**
@@ -109,8 +108,7 @@ public final class PushedLaws {
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
         Evidence pushed = evidence.pushed(way.body().index(), force).ignoring(way.body());
         Search blind = new Search(pushed, (step, share) -> {});
-        return blind.raced(blind.sloped(baseline, way.x()), Motion.measured(pushed, baseline.at(way.x())),
-                search.hypotheses(base, way.others()::contains))
+        return blind.racedAsMeasured(baseline, way.x(), search.hypotheses(base, way.others()::contains))
                 .map(fit -> new Begun(way.body(), force, fit));
     }
 

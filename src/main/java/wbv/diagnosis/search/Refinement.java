@@ -1,5 +1,6 @@
 package wbv.diagnosis.search;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -216,4 +217,18 @@ public final class Refinement {
      * @param x coordinates of the fit [1], one a knob; the same where it is the same array
      */
     private record Unused(Candidate candidate, double[] x) implements Known.Question<Double> {}
+
+    /**
+     * Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds.
+     */
+    public static boolean extreme(Fitter.State fit) {
+        Hypothesis last = fit.candidate().last();
+        return Arrays.stream(fit.candidate().positions(last)).anyMatch(i -> {
+            Knob knob = fit.candidate().knobs().get(i);
+            boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
+            boolean low = fit.x()[i] <= knob.low() + 1e-6;
+            boolean high = fit.x()[i] >= knob.high() - 1e-6;
+            return free && (low || high) && last.kind().imitatesAt(knob.key(), low);
+        });
+    }
 }

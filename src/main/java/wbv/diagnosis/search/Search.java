@@ -1,7 +1,6 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -17,7 +16,6 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Parallel;
@@ -210,12 +208,18 @@ public final class Search {
     }
 
     /**
-     * What fits best beside a fit, racing along a motion that is nearly right; empty where that stands at a bound that nothing real has.
+     * What fits best beside a model that is nearly right, racing along the motion as measured; empty where that stands at a bound that
+     * nothing real has.
      *
-     * @param on with its derivatives
+     * @param x coordinates [1], one a knob. Not modified.
      */
-    Optional<Fitter.State> raced(Fitter.State on, Motion motion, List<Hypothesis> open) {
-        return new MeasuredHeats(evidence, on, motion, open).first();
+    Optional<Fitter.State> racedAsMeasured(Candidate on, double[] x, List<Hypothesis> open) {
+        return new MeasuredHeats(evidence, sloped(on, x), Motion.measured(evidence, on.at(x)), open).first();
+    }
+
+    /** The same racing as the model moves, in some frame. */
+    Optional<Fitter.State> racedAsMoved(Candidate on, double[] x, Fitter.Frame frame, List<Hypothesis> open) {
+        return new MeasuredHeats(evidence, fitter.lookWithSlopes(on, x, frame), Motion.simulated(evidence, on.at(x)), open).first();
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
@@ -228,21 +232,8 @@ public final class Search {
 
     /** The best hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
     public Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
-        return leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where).stream().filter(fit -> !extreme(fit))
+        return leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where).stream()
+                .filter(fit -> !Refinement.extreme(fit))
                 .findFirst();
-    }
-
-    /**
-     * Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds.
-     */
-    public static boolean extreme(Fitter.State fit) {
-        Hypothesis last = fit.candidate().last();
-        return Arrays.stream(fit.candidate().positions(last)).anyMatch(i -> {
-            Knob knob = fit.candidate().knobs().get(i);
-            boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
-            boolean low = fit.x()[i] <= knob.low() + 1e-6;
-            boolean high = fit.x()[i] >= knob.high() - 1e-6;
-            return free && (low || high) && last.kind().imitatesAt(knob.key(), low);
-        });
     }
 }

@@ -12,7 +12,6 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -78,7 +77,7 @@ public final class SecondMechanism {
     }
 
     private Optional<Fitter.State> raced(Fitter.State single, Predicate<Hypothesis> open) {
-        return search.raced(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()),
-                Motion.simulated(evidence, single.candidate().at(single.x())), search.hypotheses(single).stream().filter(open).toList());
+        return search.racedAsMoved(single.candidate(), single.x(), single.frame(),
+                search.hypotheses(single).stream().filter(open).toList());
     }
 }
