@@ -214,7 +214,7 @@ public final class Diagnoser {
                 .or(() -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where)))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
                     boolean alone = !found.isUnexplained() || evidence.acting().any() || evidence.onRig();   // where nobody pushes
-                    return alone ? found : Optional.of(leaders).filter(some -> left.isEmpty()).flatMap(inquiry::besidePush)
+                    return alone ? found : (left.isPresent() ? Optional.<Diagnosed>empty() : inquiry.besidePush(leaders))
                             .or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
                 });
     }
