@@ -317,7 +317,7 @@ final class CarriedSlopes {
         for (int p : lifting) {
             target[p] += slope * other.liftSlope(run.lift(), p, j);
         }
-        if (ofStructure && other.isLoad()) {
+        if (ofStructure && other.isLoad) {
             target[other.link] += slope * other.displacement();
             target[structure.links() + other.link] += slope * other.velocity();
         }

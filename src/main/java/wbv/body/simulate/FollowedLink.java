@@ -22,6 +22,8 @@ final class FollowedLink {
     final double[] read;
     final double[] give;
     private final Modulator modulator;
+    /** Whether what it carries is taken, which depends on its stiffness and its damping themselves. */
+    final boolean isLoad;
     /** By state, and by law: the link's displacement and velocity. */
     private final double[][] motionRead;
     private final double[][] motionGive;
@@ -39,6 +41,7 @@ final class FollowedLink {
     private FollowedLink(Modulator modulator, int link, double[] read, double[] give, double[][] motionRead, double[][] motionGive,
             double stiffness, double damping) {
         this.modulator = modulator;
+        this.isLoad = modulator.otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
         this.link = link;
         this.read = read;
         this.give = give;
@@ -79,11 +82,6 @@ final class FollowedLink {
     /** Whether a link is followed. */
     boolean follows() {
         return link >= 0;
-    }
-
-    /** Whether what it carries is taken, which depends on its stiffness and its damping themselves. */
-    boolean isLoad() {
-        return modulator.otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
     }
 
     /** What lifts the link at a sample, the end of the step that follows. */

@@ -101,22 +101,33 @@ public final class Columns {
         double[][] out = new double[others.count()][count()];
         // Between two of these no vector begins or ends.
         int[] cuts = Stream.of(from, to, others.from, others.to).flatMapToInt(IntStream::of).sorted().distinct().toArray();
+        TurnedBlock block = new TurnedBlock(count());
         for (int cut = 0; cut + 1 < cuts.length; cut++) {
-            addProducts(others, half, cuts[cut], cuts[cut + 1], out);
+            addProducts(others, half, cuts[cut], cuts[cut + 1], block, out);
         }
         return out;
     }
 
+    /** Those that are not zero from one number up to another. */
     private int[] within(int begin, int end) {
-        return IntStream.range(0, count()).filter(i -> from[i] <= begin && end <= to[i]).toArray();
+        int[] out = new int[count()];
+        int found = 0;
+        for (int i = 0; i < out.length; i++) {
+            if (from[i] <= begin && end <= to[i]) {
+                out[found++] = i;
+            }
+        }
+        return Arrays.copyOf(out, found);
     }
 
-    /** @param out others by vectors. Modified. */
-    private void addProducts(Columns others, boolean half, int begin, int end, double[][] out) {
+    /**
+     * @param block as wide as these. Modified.
+     * @param out others by vectors. Modified.
+     */
+    private void addProducts(Columns others, boolean half, int begin, int end, TurnedBlock block, double[][] out) {
         int[] mine = within(begin, end);
         int[] theirs = half ? mine : others.within(begin, end);
         double[][] sums = new double[theirs.length][mine.length];
-        TurnedBlock block = new TurnedBlock(mine.length);
         for (int at = begin; at < end && sums.length > 0; at += TurnedBlock.LENGTH) {
             block.fill(vectors, mine, at, Math.min(TurnedBlock.LENGTH, end - at));
             for (int i = 0; i < theirs.length; i++) {

@@ -22,7 +22,7 @@ final class TurnedBlock {
      * Takes the next stretch.
      *
      * @param vectors of which some are taken. Not modified.
-     * @param which as many as the block holds. Not modified.
+     * @param which no more than the block holds. Not modified.
      * @param at its first number in each
      * @param length of it, {@link #LENGTH} at most
      */
