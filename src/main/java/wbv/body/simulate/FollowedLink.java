@@ -18,12 +18,12 @@ final class FollowedLink {
 
     /** Index of the link; -1 for none. */
     final int link;
+    /** Whether what it carries is taken, which depends on its stiffness and its damping themselves. */
+    final boolean isLoad;
     /** By state as {@link ModalStep} keeps it, and by law whose force acts then: what adds up to the whole. */
     final double[] read;
     final double[] give;
     private final Modulator modulator;
-    /** Whether what it carries is taken, which depends on its stiffness and its damping themselves. */
-    final boolean isLoad;
     /** By state, and by law: the link's displacement and velocity. */
     private final double[][] motionRead;
     private final double[][] motionGive;
@@ -40,9 +40,9 @@ final class FollowedLink {
 
     private FollowedLink(Modulator modulator, int link, double[] read, double[] give, double[][] motionRead, double[][] motionGive,
             double stiffness, double damping) {
-        this.modulator = modulator;
-        this.isLoad = modulator.otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
         this.link = link;
+        this.isLoad = modulator.otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
+        this.modulator = modulator;
         this.read = read;
         this.give = give;
         this.motionRead = motionRead;
