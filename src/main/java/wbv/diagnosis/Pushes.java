@@ -65,7 +65,13 @@ final class Pushes {
         Fitter.State left = search.base(base.candidate());
         double most = Math.max(Priors.NOISE, 1 + Priors.SCATTER * (base.reduced() - 1));
         return left.reduced() < most && search.refinement().heldOut(left) < most
-                && !SpectralLines.standOut(left.residual(), knowing.fit());
+                && !SpectralLines.standOut(left.residual(), knowing.fit()) && !answers(evidence, base, left, push.body());
+    }
+
+    /** Whether the force answers to the ride where the model is as it fits beside it, no longer bent for the lack of it. */
+    private static boolean answers(Evidence evidence, Fitter.State base, Fitter.State beside, int body) {
+        Fitter.State unbent = new Fitter(evidence).look(base.candidate(), beside.x(), base.frame());
+        return BodyForce.known(evidence, unbent, body, new double[evidence.recording().length()]).coherent();
     }
 
     /** The force that counts as noise already, where that is more than a person makes who sits still. */
