@@ -190,6 +190,20 @@ class TrapsTest {
     }
 
     /**
+     * Nearly all that is missing enters at the torso, as a push there would; but it goes with the motion of the base, as what a mass does
+     * that swings.
+     */
+    @Tag("slow")
+    @Test
+    void whatGoesWithTheBaseIsNoPush() throws Exception {
+        Diagnosis diagnosis = diagnosed(
+                new ConcealedSpec("swing", List.of("drift.slow", "mode.hidden"), 1, Setting.RIG, false, -7188853427568828664L));
+        assertTrue(diagnosis.missing().stream()
+                .anyMatch(named -> named.mechanism().equals("mode.hidden") && named.where().equals("torso")), diagnosis.sentence());
+        assertTrue(diagnosis.missing().stream().noneMatch(named -> named.mechanism().equals("input.unmeasured")), diagnosis.sentence());
+    }
+
+    /**
      * What a link loses in the first moments of motion is no slow drift, as well as one would fit: it goes by what the link did of late.
      */
     @Tag("slow")
