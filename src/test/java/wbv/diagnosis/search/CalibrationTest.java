@@ -18,7 +18,7 @@ class CalibrationTest {
     @CsvSource({"88, 238", "3, 5000", "1.5, 4000", "1.01, 4000", "0.9, 700"})
     void numbersAreToldAsSharplyAsTheEvidenceFalls(double least, double degrees) {
         double curvature = 20;
-        double left = least + 2 * curvature / 2 * STEP * STEP / degrees;
+        double left = least + curvature * STEP * STEP / degrees;
         double falls = -2 * (calibration.evidence(left, least) - calibration.evidence(least, least)) / (STEP * STEP);
         assertEquals(falls / curvature, calibration.sharpness(least, degrees), 1e-3 * falls / curvature);
     }
