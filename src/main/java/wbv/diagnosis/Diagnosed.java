@@ -50,6 +50,11 @@ public final class Diagnosed {
         return !isUnexplained() && isNear();
     }
 
+    /** Whether it names what explains nearly all of the mismatch. */
+    boolean explainsNearlyAll() {
+        return !isUnexplained() && Refinement.explainsNearlyAll(base, chosen);
+    }
+
     /** Whether a hypothesis was found that may be what is missing. */
     private boolean isNear() {
         return fits.best() != fits.base();

@@ -213,9 +213,10 @@ public final class Diagnoser {
         return left.flatMap(push -> inquiry.besidePush(leaders)
                 .or(() -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where)))).orElseGet(() -> {
                     Diagnosed found = Conclusion.of(inquiry, leaders);
-                    boolean alone = !found.isUnexplained() || evidence.acting().any() || evidence.onRig();   // where nobody pushes
-                    return alone ? found : (left.isPresent() ? Optional.<Diagnosed>empty() : inquiry.besidePush(leaders))
-                            .or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
+                    boolean alone = found.explainsNearlyAll() || evidence.acting().any() || evidence.onRig();   // where nobody pushes
+                    Optional<Diagnosed> together = alone || left.isPresent() ? Optional.empty() : inquiry.besidePush(leaders);
+                    return alone || !found.isUnexplained() ? together.orElse(found)
+                            : together.or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
                 });
     }
 

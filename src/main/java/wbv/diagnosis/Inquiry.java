@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.stream.Stream;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -63,8 +62,7 @@ final class Inquiry {
 
     /** The diagnosis of a mechanism and a force that answers to nothing, found together; empty where they are not, or it is none. */
     Optional<Diagnosed> besidePush(List<Fitter.State> leaders) {
-        double single = Stream.concat(leaders.stream().limit(1), Stream.of(base())).mapToDouble(Fitter.State::reduced).min().orElseThrow();
-        return new PushedLaws(evidence, search, base()).best(single)
+        return new PushedLaws(evidence, search, base()).best(leaders)
                 .flatMap(law -> pushed(law).map(knowing -> Conclusion.of(knowing, knowing.again(List.of(law.fit())))))
                 .filter(Diagnosed::namesBesidePush);
     }

@@ -15,6 +15,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A mechanism and a force on a body that nobody measured, found together: by itself neither shows what it is beside the other. A law that
@@ -66,14 +67,15 @@ public final class PushedLaws {
      * The mechanism and the body that leave least, where they leave far less than the best mechanism by itself and than whatever acts on
      * that body by itself; empty where none does, or outputs are too few to show it.
      *
-     * @param single mean square of the whitened residual that the best mechanism leaves by itself [1]
+     * @param leaders mechanisms by themselves, least first
      */
-    public Optional<Found> best(double single) {
+    public Optional<Found> best(List<Fitter.State> leaders) {
         // What stands for a simulation leaves more of its own, which would pass for a force.
         if (evidence.standsForSimulation() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
-        return ways().stream().map(this::begun).flatMap(Optional::stream)
+        double single = Stream.concat(leaders.stream(), Stream.of(base)).mapToDouble(Fitter.State::reduced).min().orElseThrow();
+        return ways().stream().map(way -> begun(way, leaders)).flatMap(Optional::stream)
                 .sorted(Comparator.comparingDouble(begun -> begun.fit().reduced())).limit(Effort.LEADERS).map(this::fitted)
                 .min(Comparator.comparingDouble(found -> found.fit().reduced()))
                 .filter(found -> Effort.BEHIND * Refinement.excess(found.fit().reduced()) < Refinement.excess(single))
@@ -102,14 +104,24 @@ public final class PushedLaws {
                 .max(Comparator.comparingDouble(place -> bodies.get(place.index()).mass()));
     }
 
-    /** The mechanism that races best where models are simulated with the force that the two places tell. */
-    private Optional<Begun> begun(Way way) {
+    /**
+     * The mechanism that fits best where models are simulated with the force that the two places tell: the one that races best along the
+     * measured motion, or one that leads by itself, since along the little that a stiff link moves sensors that err tell no law.
+     */
+    private Optional<Begun> begun(Way way, List<Fitter.State> leaders) {
         List<Place> both = Stream.concat(Stream.of(way.body()), way.others().stream().limit(1)).toList();
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
-        Evidence pushed = evidence.pushed(way.body().index(), force).ignoring(way.body());
-        Search blind = new Search(pushed, (step, share) -> {});
-        return blind.racedAsMeasured(baseline, way.x(), search.hypotheses(base, way.others()::contains))
-                .map(fit -> new Begun(way.body(), force, fit));
+        Search blind = new Search(evidence.pushed(way.body().index(), force).ignoring(way.body()), (step, share) -> {});
+        Stream<Fitter.State> leading = leaders.stream().filter(leader -> way.others().contains(Place.ofLast(leader)))
+                .map(leader -> blind.refinement().polish(leader.candidate(), beside(way, leader)));
+        return Stream.concat(blind.racedAsMeasured(baseline, way.x(), search.hypotheses(base, way.others()::contains)).stream(), leading)
+                .min(Comparator.comparingDouble(Fitter.State::reduced)).map(fit -> new Begun(way.body(), force, fit));
+    }
+
+    /** A mechanism as it is by itself, on the model as it fits beside both places: coordinates [1], one a knob. */
+    private double[] beside(Way way, Fitter.State leader) {
+        Hypothesis mechanism = leader.candidate().last();
+        return baseline.extended(way.x(), leader.candidate(), mechanism, leader.candidate().values(mechanism, leader.x()));
     }
 
     /** Mechanism and force in turn, begun with the force that the places told and as the mechanism tells it, whichever leads further. */
