@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.function.Function;
 import wbv.body.Model;
 import wbv.diagnosis.convention.ConventionCheck;
 import wbv.diagnosis.measured.AccelerationUnit;
@@ -211,13 +210,20 @@ public final class Diagnoser {
         // A strong push hides what else is missing: what shows beside it?
         Optional<BodyForce> left = strong && best != base ? inquiry.pushBeside(best) : Optional.empty();
         return left.flatMap(push -> inquiry.besidePush(leaders)
-                .or(() -> beside(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where)))).orElseGet(() -> {
-                    Diagnosed found = Conclusion.of(inquiry, leaders);
-                    boolean alone = found.explainsNearlyAll() || evidence.acting().any() || evidence.onRig();   // where nobody pushes
-                    Optional<Diagnosed> together = alone || left.isPresent() ? Optional.empty() : inquiry.besidePush(leaders);
-                    return alone || !found.isUnexplained() ? together.orElse(found)
-                            : together.or(() -> where.push().flatMap(push -> beside(push, Diagnoser::run))).orElse(found);
-                });
+                .or(() -> inquiry.besideKnown(push, knowing -> new Diagnoser(knowing).asKnown(knowing.again(leaders), where))))
+                .orElseGet(() -> named(leaders, where));
+    }
+
+    /** The diagnosis of what was found, or with a push that shows beside a mechanism only, where that does not explain nearly all. */
+    private Diagnosed named(List<Fitter.State> leaders, Whereabouts where) {
+        Diagnosed found = Conclusion.of(inquiry, leaders);
+        if (found.explainsNearlyAll() || evidence.acting().any() || evidence.onRig()) {   // which nobody pushes
+            return found;
+        }
+        Optional<Diagnosed> together = inquiry.besidePush(leaders);
+        return (found.isUnexplained() ? together.or(() -> where.push().flatMap(push -> inquiry.besideKnown(push, Diagnoser::run)))
+                : together)
+                .orElse(found);
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {
@@ -233,15 +239,6 @@ public final class Diagnoser {
             all.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return all;
-    }
-
-    /**
-     * The diagnosis that knows of a strong push, where that leaves enough to show a mechanism, and the mechanism leaves the push.
-     *
-     * @param ask what makes it of the inquiry that knows
-     */
-    private Optional<Diagnosed> beside(BodyForce push, Function<Inquiry, Diagnosed> ask) {
-        return Optional.of(ask.apply(inquiry.knowing(push))).filter(found -> inquiry.isBeside(push, found));
     }
 
     /** The diagnosis where more counts as noise, with hypotheses that were fitted without it fitted again. */

@@ -4,11 +4,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
@@ -60,11 +62,13 @@ final class Inquiry {
         return new Inquiry(evidence.with(force), baseline, progress);
     }
 
+    private record BesidePush(List<Fitter.State> leaders) implements Known.Question<Optional<Diagnosed>> {}
+
     /** The diagnosis of a mechanism and a force that answers to nothing, found together; empty where they are not, or it is none. */
     Optional<Diagnosed> besidePush(List<Fitter.State> leaders) {
-        return new PushedLaws(evidence, search, base()).best(leaders)
+        return evidence.known().once(new BesidePush(leaders), () -> new PushedLaws(evidence, search, base()).best(leaders)
                 .flatMap(law -> pushed(law).map(knowing -> Conclusion.of(knowing, knowing.again(List.of(law.fit())))))
-                .filter(Diagnosed::namesBesidePush);
+                .filter(Diagnosed::namesBesidePush));
     }
 
     /** The same with a force that was found beside a law: models are simulated with it, and its power counts as noise. */
@@ -181,10 +185,16 @@ final class Inquiry {
     }
 
     /**
-     * Whether a diagnosis that knows of a strong push names a mechanism beside it, and leaves the push: what is left beside that has to be
-     * more than the push scatters by itself.
+     * The diagnosis that knows of a strong push, where it names a mechanism beside it, and leaves the push: what is left beside that has to
+     * be more than the push scatters by itself.
+     *
+     * @param ask what makes it of the inquiry that knows
      */
-    boolean isBeside(BodyForce push, Diagnosed found) {
+    Optional<Diagnosed> besideKnown(BodyForce push, Function<Inquiry, Diagnosed> ask) {
+        return Optional.of(ask.apply(knowing(push))).filter(found -> isBeside(push, found));
+    }
+
+    private boolean isBeside(BodyForce push, Diagnosed found) {
         double known = found.evidence.acting().push().map(BodyForce::rms).orElse(Double.NaN);
         return found.namesBesidePush() && found.base.reduced() - 1 > Priors.SCATTER * (base().reduced() - 1)
                 && pushLeft(found.evidence, found.chosen)
