@@ -34,6 +34,15 @@ public record Interval(double low, double high, Source from) {
         return new Interval(value - Z * std, value + Z * std, Source.CURVATURE);
     }
 
+    /**
+     * The same of a number that nothing takes further down.
+     *
+     * @param least in the number's unit, not above the high end
+     */
+    Interval notBelow(double least) {
+        return new Interval(Math.max(least, low), high, from);
+    }
+
     /** Quantile of the standard normal distribution that 95 % lie within. */
     static final double Z = 1.959964;
 

@@ -84,6 +84,6 @@ final class Pushes {
         // What goes with the base does so by errors, which may have made as much of the rest.
         double deviation = Math.hypot(masses.deviation() * rms, masses.factor() * (force.rms() - force.apart()));
         return new Diagnosis.Named(new UnmeasuredForce().word(), grounds.evidence().model().bodies().get(force.body()).name(), probability,
-                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, deviation)), grounds.base().reduced());
+                Map.of("rms_N", rms), Map.of("rms_N", Interval.normal(rms, deviation).notBelow(0)), grounds.base().reduced());
     }
 }
