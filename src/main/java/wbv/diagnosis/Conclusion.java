@@ -108,7 +108,7 @@ final class Conclusion {
      */
     private Chosen chosen(Fitter.State best, List<Fitter.State> all) {
         // Two at two places are weighed by data not used themselves: these may be of a quieter part, in which one of the two hardly acts.
-        boolean loud = best.reduced() > Priors.STRANGE && (refinement.heldOut(best) > Priors.LOUD || inquiry.pairs().isAtTwo());
+        boolean loud = best.reduced() > Priors.LOUD && (refinement.heldOut(best) > Priors.LOUD || inquiry.pairs().isAtTwo());
         boolean more = Refinement.explained(base, best) < Priors.NEARLY_ALL || best.reduced() > Priors.GLARING;
         boolean much = loud && (more || inquiry.pairs().showsElsewhere(best)) && (inquiry.pairs().isAtTwo() || !isOneLaw(best));
         Chosen chosen = much ? inquiry.pairs().best(best, all) : Chosen.single(best);
