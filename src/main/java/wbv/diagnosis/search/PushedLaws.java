@@ -112,8 +112,8 @@ public final class PushedLaws {
         List<Place> both = Stream.concat(Stream.of(way.body()), way.others().stream().limit(1)).toList();
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
         Search blind = new Search(evidence.pushed(way.body().index(), force).ignoring(way.body()), (step, share) -> {});
-        Stream<Fitter.State> leading = leaders.stream().filter(leader -> way.others().contains(Place.ofLast(leader)))
-                .map(leader -> blind.refinement().polish(leader.candidate(), beside(way, leader)));
+        Stream<Fitter.State> leading = leaders.stream().limit(Effort.LEADERS).filter(leader -> way.others().contains(Place.ofLast(leader)))
+                .map(leader -> blind.refinement().begun(leader.candidate(), beside(way, leader)));
         return Stream.concat(blind.racedAsMeasured(baseline, way.x(), search.hypotheses(base, way.others()::contains)).stream(), leading)
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(fit -> new Begun(way.body(), force, fit));
     }
