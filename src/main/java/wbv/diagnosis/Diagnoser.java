@@ -217,7 +217,7 @@ public final class Diagnoser {
     /** The diagnosis of what was found, or with a push that shows beside a mechanism only, where that does not explain nearly all. */
     private Diagnosed named(List<Fitter.State> leaders, Whereabouts where) {
         Diagnosed found = Conclusion.of(inquiry, leaders);
-        if (found.explainsNearlyAll() || evidence.acting().any() || evidence.onRig()) {   // which nobody pushes
+        if (found.explainsNearlyAll() || evidence.acting().any() || evidence.onRig()) {   // nobody pushes a rig
             return found;
         }
         Optional<Diagnosed> together = inquiry.besidePush(leaders);
