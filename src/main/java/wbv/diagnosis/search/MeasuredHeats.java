@@ -33,7 +33,6 @@ final class MeasuredHeats {
     private static final Comparator<Pair> MOST = Comparator.comparingDouble(Pair::gain).reversed();
 
     private final Refinement refinement;
-    private final Fitter fitter;
     private final Fitter.State base;
     private final List<Looked> looked;
     private final List<Way> ways;
@@ -86,9 +85,8 @@ final class MeasuredHeats {
      */
     MeasuredHeats(Evidence evidence, Fitter.State base, Motion motion, List<Hypothesis> hypotheses) {
         this.refinement = new Refinement(evidence);
-        this.fitter = new Fitter(evidence).about(base);
         this.base = base;
-        this.race = new Race(fitter, base);
+        this.race = Race.on(base, refinement, new Fitter(evidence));
         Directions directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
         this.looked = hypotheses.stream().flatMap(h -> h.starts().stream().map(start -> looked(h, start))).toList();
         AlongMeasured measured = new AlongMeasured(directions, base, motion);
@@ -120,9 +118,9 @@ final class MeasuredHeats {
     /** @param contenders how many names race of each way */
     private List<Fitter.State> best(int most, int contenders) {
         List<Single> first = ways.stream().flatMap(way -> singles(way).limit(contenders)).toList();
-        List<Fitter.State> heat = race.last(Parallel.map(first, this::begun));
+        List<Trial> heat = race.last(Parallel.map(first, this::begun));
         Set<Set<String>> names = new HashSet<>();
-        List<Fitter.State> last = heat.stream().filter(fit -> names.add(race.claims(fit))).limit(most).toList();
+        List<Fitter.State> last = heat.stream().map(Trial::first).filter(fit -> names.add(race.claims(fit))).limit(most).toList();
         return Parallel.map(last, refinement::polishFromBoth).stream().filter(fit -> !fit.failed())
                 .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
@@ -146,7 +144,7 @@ final class MeasuredHeats {
     }
 
     /** The first step of one by free run, also from the shape that the measured motion has, where it is a law in a link. */
-    private Fitter.State begun(Single single) {
+    private Trial begun(Single single) {
         Looked one = looked.get(single.one());
         Candidate with = base.candidate().with(one.hypothesis());
         double[] values = one.times(single.strength()).orElseThrow();
@@ -159,10 +157,11 @@ final class MeasuredHeats {
      * The first step by free run from the best of some starts, and of the same with the model's numbers as fitted without: along a motion
      * that is measured with sensors that err, numbers go far that a free run must pay for.
      */
-    private Fitter.State begun(Candidate with, Stream<double[]> starts) {
-        return starts.flatMap(x -> Stream.of(x, asFitted(x))).map(x -> fitter.look(with, x, base.frame()))
-                .min(Comparator.comparingDouble(Fitter.State::cost))
-                .map(first -> fitter.fit(with, first.x(), base.frame(), 1, Effort.ROUGH)).orElseThrow();
+    private Trial begun(Candidate with, Stream<double[]> starts) {
+        Trial.Ground ground = race.ground(with);
+        Fitter.State best = starts.flatMap(x -> Stream.of(x, asFitted(x))).map(x -> ground.look(with, x))
+                .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+        return new Trial(ground, List.of(best)).onward(1);
     }
 
     private double[] asFitted(double[] x) {
@@ -185,14 +184,16 @@ final class MeasuredHeats {
      * @param places whether they may act at two places, of twins the first
      */
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
-        List<Fitter.State> heat = race.last(Parallel.map(ways.stream().flatMap(way -> pairs(way, places, twins)).toList(), this::begun));
-        return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), refinement::polishFromBoth).stream().filter(fit -> !fit.failed())
-                .min(Comparator.comparingDouble(Fitter.State::reduced)).map(first -> new Found(first, isAlone(first, heat)));
+        List<Trial> heat = race.last(Parallel.map(ways.stream().flatMap(way -> pairs(way, places, twins)).toList(), this::begun));
+        return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), trial -> refinement.polishFromBoth(trial.first())).stream()
+                .filter(fit -> !fit.failed()).min(Comparator.comparingDouble(Fitter.State::reduced))
+                .map(first -> new Found(first, isAlone(first, heat)));
     }
 
-    private boolean isAlone(Fitter.State first, List<Fitter.State> heat) {
-        return heat.stream().filter(fit -> !race.claims(fit).equals(race.claims(first)))
-                .allMatch(fit -> Refinement.excess(fit.reduced()) > Effort.BEHIND * Refinement.excess(first.reduced()));
+    private boolean isAlone(Fitter.State first, List<Trial> heat) {
+        return heat.stream().filter(trial -> !race.claims(trial.first()).equals(race.claims(first)))
+                .allMatch(trial -> trial.excess() > Effort.BEHIND
+                        * Refinement.excess(trial.ground().look(first.candidate(), first.x()).reduced()));
     }
 
     /** The best of each two names, those that take most first. */
@@ -233,7 +234,7 @@ final class MeasuredHeats {
     }
 
     /** The first step of both by free run. */
-    private Fitter.State begun(Pair pair) {
+    private Trial begun(Pair pair) {
         Looked one = looked.get(pair.one());
         Looked other = looked.get(pair.other());
         double[] x = pair.way().numbers(base, Map.of(pair.one(), pair.strengths()[0], pair.other(), pair.strengths()[1]));

@@ -57,9 +57,16 @@ public final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
-        // To one output every place explains everything.
-        return evidence.outputs().size() == 1 ? likeliest(single, oneByOne(single, leaders, hypothesis -> true))
-                : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
+        return evidence.outputs().size() == 1 ? atOneOutput(single, leaders) : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
+    }
+
+    /**
+     * To one output every place explains everything, so that whatever is added anywhere makes up for what the formula of a law lacks: beside
+     * a law that leaves no more than its form may, nothing is sought.
+     */
+    private Chosen atOneOutput(Fitter.State single, List<Fitter.State> leaders) {
+        return single.candidate().last().isLaw() && single.reduced() < Refinement.form(base) ? Chosen.single(single)
+                : likeliest(single, oneByOne(single, leaders, hypothesis -> true));
     }
 
     /** The pair that leaves far less than whatever enters at any one place, where that outweighs the single one. */

@@ -42,13 +42,17 @@ public final class Refinement {
         if (base.reduced() < Priors.STRANGE || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
             return Optional.empty();
         }
-        return evidence.brief().flatMap(part -> {
-            Fitter own = new Fitter(part);
-            Fitter.State there = own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit()));
-            return own.fit(base.candidate(), base.x(), there, Effort.FIRST_STEPS, Effort.ENOUGH).reduced() < Priors.STRANGE
-                    ? Optional.empty()
-                    : Optional.of(Trial.Ground.of(own, there));
-        });
+        return evidence.brief().flatMap(part -> evidence.known().once(new In(part, base), () -> brief(part, base)));
+    }
+
+    private record In(Evidence part, Fitter.State base) implements Known.Question<Optional<Trial.Ground>> {}
+
+    private static Optional<Trial.Ground> brief(Evidence part, Fitter.State base) {
+        Fitter own = new Fitter(part);
+        Fitter.State there = own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit()));
+        return own.fit(base.candidate(), base.x(), there, Effort.FIRST_STEPS, Effort.ENOUGH).reduced() < Priors.STRANGE
+                ? Optional.empty()
+                : Optional.of(Trial.Ground.of(own, there));
     }
 
     /**

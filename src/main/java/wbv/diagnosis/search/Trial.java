@@ -30,6 +30,11 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         static Ground of(Fitter fitter, Fitter.State base) {
             return new Ground(fitter.about(base), base);
         }
+
+        /** @param x coordinates [1], one a knob, not copied, not modified */
+        Fitter.State look(Candidate candidate, double[] x) {
+            return fitter.look(candidate, x, base.frame());
+        }
     }
 
     /**
@@ -59,7 +64,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         Fitter.State base = ground.base();
         List<double[]> own = starts.stream().map(double[]::clone).toList();
         own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
-        double without = near ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
+        double without = near ? base.cost() : ground.look(base.candidate(), numbers).cost();
         int steps = steps(score, near);
         return best(ground, score.candidate(), own, without).stream().limit(most)
                 .map(first -> near ? ground.fitter().fit(score.candidate(), first.x(), base, steps, Effort.ROUGH)
@@ -77,8 +82,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
      * @param without cost without the hypothesis
      */
     private static List<Fitter.State> best(Ground ground, Candidate with, List<double[]> starts, double without) {
-        Fitter.Frame frame = ground.base().frame();
-        List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
+        List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.look(with, x)).toList());
         List<Fitter.State> at = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).toList();
         return at.isEmpty() ? looks.subList(0, 1) : at;
     }
@@ -122,17 +126,17 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
 
     /** More steps of each. */
     Trial onward() {
-        return new Trial(ground, sorted(begun.stream().map(this::onward).toList()));
+        return onward(first().candidate().last().runsFree() ? 1 : Effort.HEAT_STEPS);
     }
 
-    private Fitter.State onward(Fitter.State state) {
-        int steps = state.candidate().last().runsFree() ? 1 : Effort.HEAT_STEPS;
-        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, Effort.ROUGH);
+    Trial onward(int steps) {
+        return new Trial(ground, sorted(begun.stream().map(state -> state.failed() ? state
+                : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, Effort.ROUGH)).toList()));
     }
 
     /** The first as it stands on other ground. */
     Fitter.State on(Ground whole) {
-        return ground == whole ? first() : whole.fitter().look(first().candidate(), first().x(), whole.base().frame());
+        return ground == whole ? first() : whole.look(first().candidate(), first().x());
     }
 
     /** Least cost first. A new list. */
