@@ -106,10 +106,14 @@ final class FirstMechanisms {
         return pairs.isEmpty() || TwoPlaces.needless(first, alone, pairs) ? Optional.empty() : places.pair(pairs);
     }
 
-    /** A fit of one hypothesis of a pair without the other. */
+    private record Alone(Hypothesis hypothesis, Fitter.State pair) implements Known.Question<Fitter.State> {}
+
+    /** A fit of one hypothesis of a pair without the other. Kept with the evidence. */
     Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
-        Candidate one = base.candidate().with(hypothesis);
-        return refinement.polish(one, base.candidate().alone(pair.candidate(), pair.x(), one, hypothesis));
+        return evidence.known().once(new Alone(hypothesis, pair), () -> {
+            Candidate one = base.candidate().with(hypothesis);
+            return refinement.polish(one, base.candidate().alone(pair.candidate(), pair.x(), one, hypothesis));
+        });
     }
 
     /** Whether a fit leaves far less than whatever enters at any one place seems to. */
