@@ -175,6 +175,18 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
+     * Coordinates [1], one a knob, with other numbers of what mechanisms stand on, which come first. A new array.
+     *
+     * @param x coordinates with mechanisms [1]. Not modified.
+     * @param numbers coordinates without [1]. Not modified.
+     */
+    public static double[] standing(double[] x, double[] numbers) {
+        double[] out = x.clone();
+        System.arraycopy(numbers, 0, out, 0, numbers.length);
+        return out;
+    }
+
+    /**
      * Numbers of a hypothesis, an array with one of each, in its unit.
      *
      * @param hypothesis one that was added

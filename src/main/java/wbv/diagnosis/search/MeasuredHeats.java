@@ -159,15 +159,9 @@ final class MeasuredHeats {
      */
     private Trial begun(Candidate with, Stream<double[]> starts) {
         Trial.Ground ground = race.ground(with);
-        Fitter.State best = starts.flatMap(x -> Stream.of(x, asFitted(x))).map(x -> ground.look(with, x))
+        Fitter.State best = starts.flatMap(x -> Stream.of(x, Candidate.standing(x, base.x()))).map(x -> ground.look(with, x))
                 .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
         return new Trial(ground, List.of(best)).onward(1);
-    }
-
-    private double[] asFitted(double[] x) {
-        double[] out = x.clone();
-        System.arraycopy(base.x(), 0, out, 0, base.x().length);
-        return out;
     }
 
     /**

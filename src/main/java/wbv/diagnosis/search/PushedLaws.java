@@ -15,7 +15,6 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A mechanism and a force on a body that nobody measured, found together: by itself neither shows what it is beside the other. A law that
@@ -113,15 +112,9 @@ public final class PushedLaws {
         double[] force = new VariableProjection(evidence, both).at(baseline, way.x()).force(0);
         Search blind = new Search(evidence.pushed(way.body().index(), force).ignoring(way.body()), (step, share) -> {});
         Stream<Fitter.State> leading = leaders.stream().limit(Effort.LEADERS).filter(leader -> way.others().contains(Place.ofLast(leader)))
-                .map(leader -> blind.refinement().begun(leader.candidate(), beside(way, leader)));
+                .map(leader -> blind.refinement().begun(leader.candidate(), Candidate.standing(leader.x(), way.x())));
         return Stream.concat(blind.racedAsMeasured(baseline, way.x(), search.hypotheses(base, way.others()::contains)).stream(), leading)
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).map(fit -> new Begun(way.body(), force, fit));
-    }
-
-    /** A mechanism as it is by itself, on the model as it fits beside both places: coordinates [1], one a knob. */
-    private double[] beside(Way way, Fitter.State leader) {
-        Hypothesis mechanism = leader.candidate().last();
-        return baseline.extended(way.x(), leader.candidate(), mechanism, leader.candidate().values(mechanism, leader.x()));
     }
 
     /** Mechanism and force in turn, begun with the force that the places told and as the mechanism tells it, whichever leads further. */

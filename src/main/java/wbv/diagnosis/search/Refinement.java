@@ -148,9 +148,8 @@ public final class Refinement {
         if (first.failed() || !bent(first) || excess(first.reduced()) <= PairSearch.QUIET) {
             return first;
         }
-        double[] x = first.x().clone();
-        System.arraycopy(first.candidate().start(), 0, x, 0, first.candidate().given());
-        Fitter.State anew = polish(first.candidate(), x);
+        Candidate candidate = first.candidate();
+        Fitter.State anew = polish(candidate, Candidate.standing(first.x(), Arrays.copyOf(candidate.start(), candidate.given())));
         return !anew.failed() && anew.reduced() < first.reduced() ? anew : first;
     }
 

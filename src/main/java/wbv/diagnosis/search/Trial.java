@@ -62,8 +62,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     private static Stream<Fitter.State> begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers, int most,
             boolean near) {
         Fitter.State base = ground.base();
-        List<double[]> own = starts.stream().map(double[]::clone).toList();
-        own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
+        List<double[]> own = starts.stream().map(start -> Candidate.standing(start, numbers)).toList();
         double without = near ? base.cost() : ground.look(base.candidate(), numbers).cost();
         int steps = steps(score, near);
         return best(ground, score.candidate(), own, without).stream().limit(most)
