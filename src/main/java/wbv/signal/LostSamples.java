@@ -67,6 +67,28 @@ public final class LostSamples {
     }
 
     /**
+     * The same, at its mean in pauses, to which it goes and from which it comes in straight lines within {@value #REACH} samples: what was
+     * measured before says nothing of one, and a line through all of it would push on.
+     *
+     * @param x a series of any unit, NaN where lost. Not modified.
+     * @param pause samples that are lost together at least to be one
+     */
+    public static double[] resting(double[] x, int pause) {
+        double[] pausing = x.clone();
+        double mean = mean(x);
+        int last = -1;
+        for (int i = 0; i < x.length; i++) {
+            if (!Double.isNaN(x[i])) {
+                if (last >= 0 && i - last > Math.max(pause, 2 * REACH)) {
+                    Arrays.fill(pausing, last + 1 + REACH, i - REACH, mean);
+                }
+                last = i;
+            }
+        }
+        return filled(pausing);
+    }
+
+    /**
      * The same less its mean, which is that of the samples that are there: a new array.
      *
      * @param x a series of any unit, NaN where lost. Not modified.

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
@@ -55,6 +57,38 @@ class FreeBodyDiagnosisTest {
     void aSlideWithoutFrictionLacksNothing() {
         Diagnosis d = Bench.diagnosed(slide(MASS * 1.1, 15 * 0.9), record(100, 10, 5, 0, 0.3));
         assertTrue(d.missing().isEmpty(), d.sentence());
+    }
+
+    /** No spring brings the slide back between two recordings, nor does the encoder count from where it did. */
+    @Test
+    void eachRecordingCountsFromItsOwnZero() {
+        Diagnosis d = together(0);
+        assertTrue(d.missing().isEmpty(), d.sentence());
+        assertEquals(1, d.fit().after(), 0.2, d.sentence());
+        assertTrue(d.fit().channels().get(0).after().value() < 1e-3, "the error that is claimed is that of the recording that proves");
+    }
+
+    @Tag("slow")
+    @Test
+    void frictionIsFoundInSeveralRecordings() {
+        Diagnosis d = together(FRICTION);
+        assertEquals(List.of("friction.coulomb"), d.missing().stream().map(Diagnosis.Named::mechanism).toList(), d.sentence());
+        assertEquals(FRICTION, d.missing().get(0).parameters().get("friction_N"), 0.02 * FRICTION, d.sentence());
+        assertEquals(1, d.fit().after(), 0.2, d.sentence());
+    }
+
+    private static Diagnosis together(double friction) {
+        Map<String, Recording> fitted = new LinkedHashMap<>();
+        fitted.put("one", counted(record(100, 10, 5, friction, 0), 0.004));
+        fitted.put("two", counted(record(100, 10, 6, friction, 0), -0.007));
+        Rides rides = Rides.of(fitted, Optional.of(Map.entry("three", counted(record(100, 10, 7, friction, 0), 0.013))));
+        return Diagnoser.diagnose(Question.of(slide(MASS * 1.1, 15 * 0.9), rides.recording()).proved(rides.provedFrom()),
+                (step, share) -> {});
+    }
+
+    private static Recording counted(Recording bench, double from) {
+        double[] position = Arrays.stream(bench.values(POSITION)).map(x -> x - from).toArray();
+        return new Recording(bench.clock(), Map.of(FORCE, bench.values(FORCE), POSITION, position), bench.metadata());
     }
 
     /**

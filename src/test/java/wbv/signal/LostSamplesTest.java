@@ -16,6 +16,19 @@ class LostSamplesTest {
     private static final int SAMPLES = 6000;
 
     @Test
+    void aPauseIsAtTheMean() {
+        double[] x = new double[200];
+        Arrays.setAll(x, i -> i < 60 ? 3 : i < 150 ? Double.NaN : 7);
+        double mean = (60 * 3 + 50 * 7) / 110.0;
+        double[] out = LostSamples.resting(x, 90);
+        assertEquals(mean, out[80], 1e-12);
+        assertEquals(mean, out[130], 1e-12);
+        assertTrue(out[65] > 3 && out[65] < mean && out[145] > mean && out[145] < 7, out[65] + " " + out[145]);
+        assertArrayEquals(LostSamples.filled(x), LostSamples.resting(x, 91), "a shorter gap is none");
+        assertEquals(5, LostSamples.filled(x)[105], 0.05);
+    }
+
+    @Test
     void aWholeSeriesIsItself() {
         double[] x = {1, 2, 3};
         assertSame(x, LostSamples.filled(x));

@@ -28,6 +28,9 @@ import wbv.signal.RealDft;
  */
 public final class Excitation {
 
+    /** Time without samples after which nothing is known of what a structure has done meanwhile [s]. */
+    public static final double PAUSE = 2;
+
     private static final double BAND = 0.45;
     private static final double SILENCE = 4;
     private static final double FINE_RATE = 240;
@@ -153,9 +156,9 @@ public final class Excitation {
     }
 
     /**
-     * The input that a recording holds for a model: its base's acceleration, lost samples filled, mean removed, and every
-     * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's
-     * velocity or position is turned into its acceleration; measured forces leave the base at rest.
+     * The input that a recording holds for a model: its base's acceleration, lost samples filled, mean removed, and every other channel; a
+     * measured force is at its mean in pauses. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to
+     * hold noise alone. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
      *
      * @param samples how much of the recording, from its start
      * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
@@ -169,7 +172,9 @@ public final class Excitation {
         double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
-            others.put(channel, Arrays.copyOf(LostSamples.filled(recording.values(channel)), samples));
+            boolean pushes = model.inputs().stream().anyMatch(input -> input.sensor().equals(channel));
+            others.put(channel, Arrays.copyOf(pushes ? LostSamples.resting(recording.values(channel), (int) (PAUSE * rate))
+                    : LostSamples.filled(recording.values(channel)), samples));
         }
         if (!model.inputs().isEmpty()) {
             return ofForces(rate, samples, others);

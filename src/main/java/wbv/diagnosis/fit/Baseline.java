@@ -126,7 +126,7 @@ public final class Baseline {
         List<Assembly.DriveAt> drives = new ArrayList<>(assembly.drives());
         for (int b = 0; b < unheld.length && !model.driven(); b++) {
             if (unheld[b]) {   // it may well have been moving when the recording began
-                double speed = Math.max(speed(evidence), 1e-12);
+                double speed = speed(evidence);
                 knobs.add(Knob.sum(model.bodies().get(b).name() + " velocity_m_per_s", Slot.of(Slot.Kind.DRIVE, drives.size(), 0), 0, speed,
                         -100 * speed, 100 * speed, Double.POSITIVE_INFINITY));
                 drives.add(new Assembly.DriveAt(b, new Drive.Launch(0)));
@@ -150,10 +150,10 @@ public final class Baseline {
     }
 
     /** A speed such as bodies have: what the measured forces, root mean square, give the lightest of them in a tenth of a second [m/s]. */
-    private static double speed(Evidence evidence) {
+    static double speed(Evidence evidence) {
         double lightest = java.util.Arrays.stream(evidence.model().assembly().structure().mass()).min().orElse(1);
         return evidence.model().inputs().stream().mapToDouble(input -> Motion.rms(evidence.series(input.sensor()), evidence.fit().length()))
-                .max().orElse(0) / lightest * 0.1;
+                .max().orElse(0) / lightest * 0.1 + 1e-12;
     }
 
     /** The mass of a body, unless it is another's too. */

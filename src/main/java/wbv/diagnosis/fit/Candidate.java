@@ -175,10 +175,10 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
-     * Coordinates [1], one a knob, with other numbers of what mechanisms stand on, which come first. A new array.
+     * Coordinates with other numbers of what mechanisms stand on, which come first. A new array.
      *
-     * @param x coordinates with mechanisms [1]. Not modified.
-     * @param numbers coordinates without [1]. Not modified.
+     * @param x coordinates [1], one a knob. Not modified.
+     * @param numbers the first of them, as they are to be [1], one a knob of what mechanisms stand on. Not modified.
      */
     public static double[] standing(double[] x, double[] numbers) {
         double[] out = x.clone();

@@ -176,6 +176,17 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         shapes.add(own);
     }
 
+    /**
+     * Adds how a rig begins anew.
+     *
+     * @param owner an output, or {@link SmallError#INPUT} where it shows at all
+     * @param shape series by output, an empty array where it adds nothing. Not a copy
+     */
+    void addStart(int owner, double[][] shape) {
+        errors.add(new SmallError(Kind.START, owner, ""));
+        shapes.add(shape);
+    }
+
     /** These and others. */
     ErrorShapes and(ErrorShapes more) {
         return more.errors().isEmpty() ? this : new ErrorShapes(Stream.concat(errors.stream(), more.errors().stream()).toList(),

@@ -117,8 +117,9 @@ public final class Fitter {
     public Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
         Optional<Simulator.Response> ran = candidate.freeWays() ? runs.of(candidate, x) : Optional.empty();
-        ErrorShapes ways = ran.map(response -> WrongWay.of(runs.excitation(), candidate, x, () -> response))
-                .orElseGet(() -> new ErrorShapes(List.of(), List.of()));
+        ErrorShapes ways = Beginnings.of(evidence, runs.excitation(), candidate, x)
+                .and(ran.map(response -> WrongWay.of(runs.excitation(), candidate, x, () -> response))
+                        .orElseGet(() -> new ErrorShapes(List.of(), List.of())));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;

@@ -26,20 +26,21 @@ public final class Readings {
     public double[][] of(Fitter.State state) {
         Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
         Nuisances nuisances = state.frame().nuisances();
-        double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
+        double[] sizes = state.failed() ? new double[nuisances.count()] : sizes(state);
         Lateness late = nuisances.delays().about(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
                 run.outputs().length);
         double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();
-        ErrorShapes all = small.and(WrongWay.of(evidence.whole(), state.candidate(), framed,
-                () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));
+        ErrorShapes all = small.and(Beginnings.of(evidence, evidence.whole(), state.candidate(), framed))
+                .and(WrongWay.of(evidence.whole(), state.candidate(), framed,
+                        () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));
         double[] gain = new double[out.length];
         for (int i = 0; i < sizes.length; i++) {
             SmallError error = nuisances.error(i);
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
                 case DELAY -> {}   // exact, above
-                case AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM -> {
+                case AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, START -> {
                     for (int o = 0; o < out.length; o++) {
                         add(out[o], sizes[i], all.shapes().get(i)[o]);
                     }
@@ -53,6 +54,19 @@ public final class Readings {
                 out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
             }
             level(o, out[o]);
+        }
+        return out;
+    }
+
+    /** Sizes of the errors as the data of the fit have them; of how a rig begins after these, as what follows has them. */
+    private double[] sizes(Fitter.State state) {
+        double[] out = state.errors().clone();
+        Nuisances nuisances = state.frame().nuisances();
+        int[] later = IntStream.range(0, out.length)
+                .filter(i -> out[i] == 0 && nuisances.error(i).kind() == SmallError.Kind.START).toArray();
+        if (later.length > 0) {
+            double[] proof = new Fitter(evidence, evidence.whole()).look(state.candidate(), state.x(), evidence.heldOut()).errors();
+            Arrays.stream(later).forEach(i -> out[i] = proof[i]);
         }
         return out;
     }
@@ -97,10 +111,11 @@ public final class Readings {
      * Adds an error's share, without its constant part where constants do not count.
      *
      * @param to modified
+     * @param shape empty where it adds nothing
      */
     private void add(double[] to, double size, double[] shape) {
         double mean = evidence.onRig() ? 0 : Arrays.stream(shape).average().orElse(0);
-        for (int i = 0; i < to.length; i++) {
+        for (int i = 0; i < shape.length; i++) {
             to[i] += size * (shape[i] - mean);
         }
     }
@@ -117,7 +132,7 @@ public final class Readings {
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);
             String owner = error.owner() == SmallError.INPUT ? "input" : evidence.outputs().get(error.owner()).toString();
-            if (!off[i] && error.kind() != SmallError.Kind.WAY) {
+            if (!off[i] && error.isOfSensor()) {
                 out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
             }
         }

@@ -39,6 +39,8 @@ public record SmallError(Kind kind, int owner, String axis) {
         AXIS_TILT("tilt_of_%s_rad", Math.toRadians(1)),
         /** Distance of a sensor of the base from where it should be [m], by the axis about which that shows. */
         AXIS_ARM("arm_of_%s_m", 0.005),
+        /** No sensor's: how a rig begins anew after a pause [1], as a part of how it may, see {@code Beginnings}. */
+        START("start", 1),
         /** No sensor's: a sample of what the way to it answers otherwise than the model says [1], see {@code WrongWay}. */
         WAY("way", 1);
 
@@ -72,7 +74,12 @@ public record SmallError(Kind kind, int owner, String axis) {
 
     /** Standard deviations [1] that it has at most: a sensor that errs more is named. */
     public double most() {
-        return kind == Kind.WAY ? Double.POSITIVE_INFINITY : MOST;
+        return isOfSensor() ? MOST : Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether it is a sensor's own. */
+    public boolean isOfSensor() {
+        return kind != Kind.WAY && kind != Kind.START;
     }
 
     /** Whether it is that of the sensor of the base's first axis, by which all are late or early alike. */
@@ -92,7 +99,7 @@ public record SmallError(Kind kind, int owner, String axis) {
             case DELAY -> fault instanceof SensorFault.Late;
             case TILT -> fault instanceof SensorFault.Misalignment || fault instanceof SensorFault.Turned;
             case ARM -> fault instanceof SensorFault.LeverArm;
-            case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, WAY -> false;
+            case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, START, WAY -> false;
         };
     }
 }

@@ -78,8 +78,13 @@ public final class Search {
      */
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
-        for (int round = 0; round < Effort.ROUNDS; round++) {
-            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.OWN_STEPS, Effort.EXACT).x();
+        double left = Double.POSITIVE_INFINITY;
+        boolean settled = false;
+        for (int round = 0; round < Effort.ROUNDS || !settled && round < Effort.STEPS; round++) {
+            Fitter.State fit = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), Effort.OWN_STEPS, Effort.EXACT);
+            settled = !(fit.reduced() < (1 - Effort.ROUGH) * left);
+            left = fit.reduced();
+            x = fit.x();
         }
         return sloped(baseline, x);
     }
