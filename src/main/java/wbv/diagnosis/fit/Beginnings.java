@@ -11,8 +11,8 @@ import wbv.diagnosis.measured.SmallError;
 
 /**
  * How a rig begins anew after each pause so long that nothing is known of what it did meanwhile, as between two recordings: an encoder may
- * count from elsewhere, and what no spring holds stands anywhere and may move already. Counted among the small errors, since both add to the
- * outputs; how large they are is not known beforehand.
+ * count from elsewhere, and what no spring holds stands anywhere and may move already. Counted among the small errors, since both add to
+ * the outputs; how large they are is not known beforehand.
  */
 final class Beginnings {
 

@@ -175,7 +175,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
     }
 
     /**
-     * Coordinates with other numbers of what mechanisms stand on, which come first. A new array.
+     * Coordinates [1], one a knob, with other numbers of what mechanisms stand on, which come first. A new array.
      *
      * @param x coordinates [1], one a knob. Not modified.
      * @param numbers the first of them, as they are to be [1], one a knob of what mechanisms stand on. Not modified.

@@ -61,8 +61,8 @@ public final class PairSearch {
     }
 
     /**
-     * To one output every place explains everything, so that whatever is added anywhere makes up for what the formula of a law lacks: beside
-     * a law that leaves no more than its form may, nothing is sought.
+     * To one output every place explains everything, so that whatever is added anywhere makes up for what the formula of a law lacks:
+     * beside a law that leaves no more than its form may, nothing is sought.
      */
     private Chosen atOneOutput(Fitter.State single, List<Fitter.State> leaders) {
         return single.candidate().last().isLaw() && single.reduced() < Refinement.form(base) ? Chosen.single(single)
