@@ -76,7 +76,8 @@ final class FirstMechanisms {
     }
 
     private Optional<Fitter.State> soughtAtTwo() {
-        if (evidence.outputs().size() == 1) {
+        // No pair leaves far less than a place that leaves little more than noise.
+        if (evidence.outputs().size() == 1 || atAny() <= Effort.BEHIND * PairSearch.QUIET) {
             return Optional.empty();
         }
         Place first = places.likeliest();
