@@ -67,7 +67,7 @@ public final class LostSamples {
     }
 
     /**
-     * The same, at its mean in pauses, to which it goes and from which it comes in straight lines within {@value #REACH} samples: what was
+     * The same, at its mean in pauses, to which it goes and from which it comes within {@value #REACH} samples: what was
      * measured before says nothing of one, and a line through all of it would push on.
      *
      * @param x a series of any unit, NaN where lost. Not modified.
