@@ -195,7 +195,9 @@ public final class Diagnoser {
     /** The diagnosis with the force in the noise that the best hypothesis leaves, if that is a person's own. */
     private Diagnosed withForceLeft(List<Fitter.State> leaders, Fitter.State best, Whereabouts where) {
         boolean quiet = best.reduced() < (evidence.acting().own().isEmpty() ? Priors.SILENT : Priors.NOISE);
-        Optional<BodyForce> own = quiet ? Optional.empty() : inquiry.own(best);
+        // Of two mechanisms the second may look like one, which explains whatever it does.
+        boolean hidden = best.reduced() > Priors.STRANGE && inquiry.pairs().isEnough(best);
+        Optional<BodyForce> own = quiet || hidden ? Optional.empty() : inquiry.own(best);
         return own.map(force -> judged(inquiry.knowing(force), leaders)).orElseGet(() -> withPush(leaders, where));
     }
 
