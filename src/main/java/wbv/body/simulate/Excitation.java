@@ -28,11 +28,14 @@ import wbv.signal.RealDft;
  */
 public final class Excitation {
 
-    /** Time without samples after which nothing is known of what a structure has done meanwhile [s]. */
-    public static final double PAUSE = 2;
-
     private static final double BAND = 0.45;
     private static final double SILENCE = 4;
+    /**
+     * Time without samples after which nothing is known of what a structure has done meanwhile [s]: half the silence in which all that is
+     * held has rung out, which lies between two recordings, and more than drops out of a stream.
+     */
+    public static final double PAUSE = SILENCE / 2;
+
     private static final double FINE_RATE = 240;
     /** Points between samples beyond which the recording is too slow for any body to be seen in it: below 1 Hz. */
     private static final int MOST_OVERSAMPLING = 256;

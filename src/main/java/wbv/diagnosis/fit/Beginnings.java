@@ -16,9 +16,6 @@ import wbv.diagnosis.measured.SmallError;
  */
 final class Beginnings {
 
-    /** How many times the usual reading or speed these may be [1]: as many as tell nothing beforehand. */
-    private static final double ANYHOW = 100;
-
     private Beginnings() {}
 
     /**
@@ -79,7 +76,7 @@ final class Beginnings {
     private static double[][] zero(Evidence evidence, Excitation excitation, int output, Stretch stretch) {
         double[][] out = new double[evidence.outputs().size()][0];
         out[output] = new double[excitation.samples()];
-        Arrays.fill(out[output], ANYHOW * Motion.rms(evidence.measured(output), evidence.fit().length()));
+        Arrays.fill(out[output], Baseline.ANYHOW * Motion.rms(evidence.measured(output), evidence.fit().length()));
         stretch.alone(out[output]);
         return out;
     }
@@ -88,7 +85,7 @@ final class Beginnings {
     private static double[][] moving(Evidence evidence, Excitation excitation, Assembly assembly, int body, Stretch stretch) {
         double[] blow = new double[excitation.samples()];
         if (stretch.from() < blow.length) {
-            blow[stretch.from()] = ANYHOW * assembly.structure().mass()[body] * Baseline.speed(evidence) * excitation.rate();
+            blow[stretch.from()] = Baseline.ANYHOW * assembly.structure().mass()[body] * Baseline.speed(evidence) * excitation.rate();
         }
         double[][] answer = new Simulator(excitation).linearised(assembly).answerOn(body, excitation.spectrum(blow));
         // A blow that has no more lines than an excitation rings before it too.
