@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.algebra.SymmetricFactor;
@@ -13,24 +14,34 @@ import wbv.diagnosis.algebra.SymmetricFactor;
 public final class Projection {
 
     private final int[] free;
+    /** Those that stand at a bound. */
+    private final int[] bound;
+    private final Nuisances nuisances;
     private final Columns columns;
     private final SymmetricFactor factor;
 
-    Projection(Fitter.State state) {
-        this(state.frame().nuisances(), free(state));
+    /** Where those stand at a bound that do at a state. */
+    public Projection(Fitter.State state) {
+        this(state, free(state));
     }
 
     /** Where none stands at a bound, whatever the state: all that its candidate asks. */
     public static Projection ofAll(Fitter.State state) {
-        Nuisances all = state.frame().nuisances();
-        boolean[] off = all.off(state.candidate());
-        return new Projection(all, IntStream.range(0, off.length).filter(i -> !off[i]).toArray());
+        return new Projection(state, asked(state));
     }
 
-    private Projection(Nuisances nuisances, int[] free) {
+    /** @param free of those that a state's candidate asks */
+    private Projection(Fitter.State state, int[] free) {
         this.free = free;
+        bound = IntStream.of(asked(state)).filter(i -> Arrays.binarySearch(free, i) < 0).toArray();
+        nuisances = state.frame().nuisances();
         columns = nuisances.columns().only(free);
         factor = nuisances.squares().factor(free);
+    }
+
+    private static int[] asked(Fitter.State state) {
+        boolean[] off = state.frame().nuisances().off(state.candidate());
+        return IntStream.range(0, off.length).filter(i -> !off[i]).toArray();
     }
 
     private static int[] free(Fitter.State state) {
@@ -41,6 +52,16 @@ public final class Projection {
     /** Whether the same errors are free at another state of the same frame. */
     boolean suits(Fitter.State other) {
         return Arrays.equals(free, free(other));
+    }
+
+    /** What one standard deviation of each error at a bound adds to the whitened residual, as long. Not copies, not to be modified. */
+    public List<double[]> atBound() {
+        return IntStream.of(bound).mapToObj(nuisances.columns()::get).toList();
+    }
+
+    /** How large each error at a bound may be [1], in standard deviations, one an error there. A new array. */
+    public double[] bounds() {
+        return IntStream.of(bound).mapToDouble(i -> nuisances.error(i).most()).toArray();
     }
 
     /**

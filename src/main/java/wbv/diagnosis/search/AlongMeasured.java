@@ -2,12 +2,13 @@ package wbv.diagnosis.search;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SortedMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.diagnosis.algebra.Columns;
 import wbv.diagnosis.algebra.DampedEquations;
+import wbv.diagnosis.algebra.DirectionProducts;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Motion;
@@ -35,12 +36,14 @@ final class AlongMeasured {
      * The model's numbers do what they do along the motion by all that they are; to first order what is no factor.
      *
      * @param directions at that fit
+     * @param errors     of sensors, of which those at a bound are asked beside {@link #directed}: a sensor that is turned by half a radian
+     *                   errs by thirty standard deviations, whose squares are next to nothing beside a mismatch
      */
-    AlongMeasured(Directions directions, Fitter.State base, Motion motion) {
+    AlongMeasured(Directions directions, Fitter.State base, Motion motion, Projection errors) {
         this.directions = directions;
         this.base = base;
         this.structure = base.candidate().at(base.x()).structure();
-        this.errors = Projection.ofAll(base);
+        this.errors = errors;
         this.left = followed(directions.along());
         this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
         this.gramOfCarried = gram(carried);
@@ -167,21 +170,18 @@ final class AlongMeasured {
     /**
      * Products of directions where the model's numbers follow, too.
      *
-     * @param each  of two directions [1]
-     * @param left  of each with what is left [1]
-     * @param held  how the numbers follow each [1]
-     * @param alone how they follow what is left [1]
+     * @param directions and after them the errors that stand at a bound
+     * @param held       how the numbers follow each [1]
+     * @param alone      how they follow what is left [1]
      */
-    record Products(double[][] each, double[] left, double[][] held, double[] alone) {
+    record Products(DirectionProducts directions, double[][] held, double[] alone) {
 
-        /**
-         * How strong what each of the model's numbers does is beside some directions [1].
-         *
-         * @param strengths by direction, in their order: sums in another differ by rounding. Not modified
-         */
-        double[] numbers(SortedMap<Integer, Double> strengths) {
+        /** How strong what each of the model's numbers does is beside some directions [1]. */
+        double[] numbers(DirectionProducts.Together beside) {
+            int[] which = beside.which();
+            double[] strengths = beside.joint().strengths();
             double[] out = new double[alone.length];
-            Arrays.setAll(out, k -> -alone[k] - strengths.entrySet().stream().mapToDouble(s -> s.getValue() * held[s.getKey()][k]).sum());
+            Arrays.setAll(out, k -> -alone[k] - IntStream.range(0, which.length).mapToDouble(i -> strengths[i] * held[which[i]][k]).sum());
             return out;
         }
     }
@@ -192,21 +192,34 @@ final class AlongMeasured {
      * @param own    products of each with the errors [1]
      * @param follow how the errors follow each [1]
      * @param each   products of two [1]
+     * @param most   how strong the last of them may be, which are errors that stand at a bound, in standard deviations
      */
-    record Directed(Columns columns, double[][] own, double[][] follow, double[][] each) {}
+    record Directed(Columns columns, double[][] own, double[][] follow, double[][] each, double[] most) {}
 
-    /** @param vectors whitened, as long as the residual each. Not copied, not modified. */
-    Directed directed(List<double[]> vectors) {
-        Columns columns = new Columns(vectors.toArray(double[][]::new));
+    /**
+     * Directions, and the errors that stand at a bound after them.
+     *
+     * @param some whitened, as long as the residual each. Not copied, not modified.
+     */
+    Directed directed(List<double[]> some) {
+        Columns columns = new Columns(Stream.concat(some.stream(), errors.atBound().stream()).toArray(double[][]::new));
         double[][] own = errors.products(columns);
         double[][] follow = Arrays.stream(own).map(errors::errors).toArray(double[][]::new);
         double[][] each = columns.gram();
-        for (int i = 0; i < each.length; i++) {
-            for (int j = 0; j < each.length; j++) {
-                each[i][j] -= ScalarProduct.of(own[i], follow[j]);
+        subtract(own, follow, each);
+        for (int i = some.size(); i < each.length; i++) {
+            each[i][i]++;   // what is known of an error beforehand
+        }
+        return new Directed(columns, own, follow, each, errors.bounds());
+    }
+
+    /** @param from each product of one with one of the other is taken. Modified. */
+    private static void subtract(double[][] one, double[][] other, double[][] from) {
+        for (int i = 0; i < from.length; i++) {
+            for (int j = 0; j < from.length; j++) {
+                from[i][j] -= ScalarProduct.of(one[i], other[j]);
             }
         }
-        return new Directed(columns, own, follow, each);
     }
 
     /** Of some directions, which are not modified. */
@@ -228,11 +241,7 @@ final class AlongMeasured {
             held[i] = DampedEquations.solve(numbers, across[i]);
             rest[i] -= ScalarProduct.of(follow[i], left.own()) + ScalarProduct.of(held[i], gradient);
         }
-        for (int i = 0; i < each.length; i++) {
-            for (int j = 0; j < each.length; j++) {
-                each[i][j] -= ScalarProduct.of(across[i], held[j]);
-            }
-        }
-        return new Products(each, rest, held, DampedEquations.solve(numbers, gradient));
+        subtract(across, held, each);
+        return new Products(new DirectionProducts(each, rest, directed.most()), held, DampedEquations.solve(numbers, gradient));
     }
 }

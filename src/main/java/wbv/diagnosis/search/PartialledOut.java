@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.diagnosis.algebra.Columns;
+import wbv.diagnosis.algebra.JointStrengths;
 import wbv.diagnosis.algebra.SymmetricFactor;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
@@ -16,9 +17,6 @@ import wbv.signal.ScalarProduct;
  * and Waugh 1933, Lovell 1963): what is left of a direction is what nothing that is known already makes.
  */
 public final class PartialledOut {
-
-    /** Part of a direction that the model, or another, cannot make itself, below which a score means nothing. */
-    static final double LEAST_NEW = 1e-4;
 
     private final Projection projection;
     private final Columns slopes;
@@ -99,7 +97,7 @@ public final class PartialledOut {
 
         /** Whether the model can nearly make it itself. */
         public boolean isOld() {
-            return !(square() > LEAST_NEW * ScalarProduct.of(direction, direction));
+            return !(square() > JointStrengths.LEAST_NEW * ScalarProduct.of(direction, direction));
         }
     }
 }

@@ -18,6 +18,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
@@ -74,7 +75,8 @@ class MeasuredStartsTest {
     private static double[] begun(Strong strong, Candidate with, Hypothesis hypothesis) {
         Screening screening = new Screening(strong.evidence(), strong.base(), strong.motion());
         return new MeasuredStarts(screening.directions(), strong.base(),
-                new AlongMeasured(screening.directions(), strong.base(), strong.motion())).of(with, hypothesis).orElseThrow();
+                new AlongMeasured(screening.directions(), strong.base(), strong.motion(), Projection.ofAll(strong.base())))
+                .of(with, hypothesis).orElseThrow();
     }
 
     private static void begins(Strong strong, String mechanism, double number, double within) {
