@@ -162,13 +162,13 @@ public final class Diagnoser {
         });
     }
 
-    /** The diagnosis that knows of a person's own force, where there may be one, or the one that does not where that names nothing. */
+    /** The diagnosis that knows of a person's own force, where there may be one; or not, where that names nothing or leaves more. */
     private Diagnosed withOwnForce(Whereabouts where) {
         Optional<Diagnosed> knowing = where.ownForce().map(own -> run(inquiry.knowing(own)));
-        return knowing.filter(found -> !found.isOpen()).orElseGet(() -> {
-            // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
-            boolean pushed = knowing.isPresent() && inquiry.push().isPresent();
-            // Or what was taken for a person's force is a part of what is missing.
+        Optional<Diagnosed> named = knowing.filter(found -> !found.isOpen());
+        return named.filter(found -> !inquiry.isMoreThanOwn(found.chosen)).orElseGet(() -> {
+            // What was taken for a person's force is a part of what is missing: of a push that is all there is and goes by no law, or else.
+            boolean pushed = knowing.isPresent() && named.isEmpty() && inquiry.push().isPresent();
             Diagnosed without = pushed ? Conclusion.of(inquiry, List.of()) : asKnown(where);
             return without.isUnexplained() ? knowing.orElse(without) : without;
         });

@@ -140,8 +140,20 @@ final class Inquiry {
      * from noise of the base's sensor, which enters there at one level as well.
      */
     Optional<BodyForce> own(Fitter.State fit) {
+        return aboveBase(fit).filter(force -> force.ordinary(evidence));
+    }
+
+    /**
+     * Whether what was taken for a person's own force, where a model had bent itself for what is missing, is more than that beside a fit:
+     * stronger, or in answer to the ride.
+     */
+    boolean isMoreThanOwn(Fitter.State fit) {
+        return aboveBase(fit).filter(force -> !force.ordinary(evidence) || force.coherent()).isPresent();
+    }
+
+    private Optional<BodyForce> aboveBase(Fitter.State fit) {
         Evidence plain = evidence.with(evidence.acting().withOwn(Optional.empty()));
-        return BodyForce.aboveBase(plain, seen(plain, fit)).filter(force -> force.ordinary(evidence));
+        return BodyForce.aboveBase(plain, seen(plain, fit));
     }
 
     /** A force of more than that, which does not answer to the ride, that a fit leaves, whatever is known of one already. */
