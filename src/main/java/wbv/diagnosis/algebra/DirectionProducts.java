@@ -2,6 +2,7 @@ package wbv.diagnosis.algebra;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import wbv.signal.ScalarProduct;
 
 /**
  * Products of directions with each other and with a residual. The last of them are numbers of which something is known beforehand, which
@@ -12,6 +13,34 @@ import java.util.stream.IntStream;
  * @param most how large the last of them may be, either way [1], one a number that follows. None is copied, none modified
  */
 public record DirectionProducts(double[][] each, double[] left, double[] most) {
+
+    /**
+     * Products of vectors within groups, and of all with those after the last group [1], by vector and vector; no numbers else.
+     *
+     * @param groups how many vectors there are in each, one a group. Not modified.
+     */
+    public static double[][] within(Columns columns, int[] groups) {
+        double[][] out = new double[columns.count()][columns.count()];
+        Arrays.stream(out).forEach(row -> Arrays.fill(row, Double.NaN));
+        int from = 0;
+        for (int size : groups) {
+            for (int i = from; i < from + size; i++) {
+                for (int j = from; j <= i; j++) {
+                    out[i][j] = ScalarProduct.of(columns.get(i), columns.get(j));
+                    out[j][i] = out[i][j];
+                }
+            }
+            from += size;
+        }
+        double[][] after = columns.products(columns.only(IntStream.range(from, columns.count()).toArray()));
+        for (int k = 0; k < after.length; k++) {
+            for (int i = 0; i < columns.count(); i++) {
+                out[from + k][i] = after[k][i];
+                out[i][from + k] = after[k][i];
+            }
+        }
+        return out;
+    }
 
     /**
      * Some directions, and after them all numbers that follow.

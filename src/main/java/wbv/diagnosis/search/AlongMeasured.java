@@ -199,15 +199,18 @@ final class AlongMeasured {
     /**
      * Directions, and the errors that stand at a bound after them.
      *
-     * @param some whitened, as long as the residual each. Not copied, not modified.
+     * @param groups directions that are asked together, whitened, as long as the residual each. Not copied, not modified
+     * @param across whether those of two groups are too; else their products are no numbers
      */
-    Directed directed(List<double[]> some) {
-        Columns columns = new Columns(Stream.concat(some.stream(), errors.atBound().stream()).toArray(double[][]::new));
+    Directed directed(List<List<double[]>> groups, boolean across) {
+        Columns columns = new Columns(
+                Stream.concat(groups.stream().flatMap(List::stream), errors.atBound().stream()).toArray(double[][]::new));
         double[][] own = errors.products(columns);
         double[][] follow = Arrays.stream(own).map(errors::errors).toArray(double[][]::new);
-        double[][] each = columns.gram();
+        double[][] each = across ? columns.gram() : DirectionProducts.within(columns,
+                groups.stream().mapToInt(List::size).toArray());
         subtract(own, follow, each);
-        for (int i = some.size(); i < each.length; i++) {
+        for (int i = each.length - errors.bounds().length; i < each.length; i++) {
             each[i][i]++;   // what is known of an error beforehand
         }
         return new Directed(columns, own, follow, each, errors.bounds());

@@ -1,7 +1,9 @@
 package wbv.diagnosis.search;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.SensorFault;
@@ -37,6 +39,8 @@ public final class Directions {
     private final Lateness late;
     /** What the model does; not all of it need be asked for. */
     private final Simulator.Response there;
+    /** What outputs read, by output: every fault of a sensor asks. */
+    private final Map<Integer, double[]> readings = new ConcurrentHashMap<>();
 
     /**
      * At a fit.
@@ -86,7 +90,7 @@ public final class Directions {
     }
 
     /** What an output reads: the model's, and what shows above its noise beside that. */
-    private double[] read(int output) {
+    private double[] reading(int output) {
         Excitation excitation = evidence.excitation();
         double[] out = there.outputs()[output].clone();
         Spectra.add(out, AboveNoise.integral(excitation, excitation.spectrum(evidence.spectra().beside(excitation, output, out)),
@@ -110,7 +114,7 @@ public final class Directions {
         for (Addition addition : hypothesis.additions()) {
             int output = ((Addition.OfSensor) addition).output();
             List<SensorFault> faults = with.outputs().get(output).faults();
-            double[] read = read(output);
+            double[] read = readings.computeIfAbsent(output, this::reading);
             Optional<double[]> undone = simulator.undone(faults.get(faults.size() - 1), read);
             if (undone.isEmpty()) {
                 return Optional.empty();

@@ -37,7 +37,8 @@ final class MeasuredHeats {
     private final Refinement refinement;
     private final Fitter.State base;
     private final List<SizedMechanisms.Looked> looked;
-    private final List<Way> ways;
+    private final Directions directions;
+    private final Motion motion;
     private final Race race;
 
     /**
@@ -69,12 +70,16 @@ final class MeasuredHeats {
         this.base = base;
         this.race = Race.on(base, refinement, new Fitter(evidence));
         this.looked = looked(hypotheses, base.candidate());
-        Directions directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
+        this.directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
+        this.motion = motion;
+    }
+
+    /** @param pairs whether two that were looked at are asked together */
+    private List<Way> ways(boolean pairs) {
         AlongMeasured measured = new AlongMeasured(directions, base, motion, new Projection(base));
         AlongMeasured free = new AlongMeasured(directions, base, motion, Projection.ofAll(base));
-        AlongMeasured.Directed directed = measured
-                .directed(Parallel.map(looked, each -> vectors(directions, each)).stream().flatMap(List::stream).toList());
-        this.ways = Stream.<UnaryOperator<AlongMeasured>>of(along -> along, AlongMeasured::asModelled).map(way -> {
+        AlongMeasured.Directed directed = measured.directed(Parallel.map(looked, this::vectors), pairs);
+        return Stream.<UnaryOperator<AlongMeasured>>of(along -> along, AlongMeasured::asModelled).map(way -> {
             AlongMeasured along = way.apply(measured);
             return new Way(along, along.products(directed), new MeasuredStarts(directions, base, way.apply(free)));
         }).toList();
@@ -94,7 +99,7 @@ final class MeasuredHeats {
     }
 
     /** What each amplitude does by itself. */
-    private List<double[]> vectors(Directions directions, SizedMechanisms.Looked each) {
+    private List<double[]> vectors(SizedMechanisms.Looked each) {
         Candidate with = base.candidate().with(each.hypothesis());
         return IntStream.range(0, each.own().length).mapToObj(c -> directions.measured(each.hypothesis(), with, each.only(c))).toList();
     }
@@ -114,7 +119,7 @@ final class MeasuredHeats {
 
     /** @param contenders how many names race of each way */
     private List<Fitter.State> best(int most, int contenders) {
-        List<Contender> first = ways.stream()
+        List<Contender> first = ways(false).stream()
                 .flatMap(way -> singles(way).limit(contenders).map(sized -> new Contender(way, sized))).toList();
         List<Trial> heat = race.last(Parallel.map(first, one -> begun(one, shaped(one))));
         Set<Set<String>> names = new HashSet<>();
@@ -172,7 +177,7 @@ final class MeasuredHeats {
      */
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
         List<Trial> heat = race.last(Parallel.map(
-                ways.stream().flatMap(way -> pairs(way, places, twins).map(sized -> new Contender(way, sized))).toList(),
+                ways(true).stream().flatMap(way -> pairs(way, places, twins).map(sized -> new Contender(way, sized))).toList(),
                 pair -> begun(pair, Stream.of())));
         return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), trial -> refinement.polishFromBoth(trial.first())).stream()
                 .filter(fit -> !fit.failed()).min(Comparator.comparingDouble(Fitter.State::reduced))

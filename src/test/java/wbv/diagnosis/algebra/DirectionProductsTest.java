@@ -90,4 +90,18 @@ class DirectionProductsTest {
             assertTrue(gain >= least - 1e-9, gain + " for " + least);
         }
     }
+
+    /** Within groups and after them as all together, no numbers across. */
+    @Test
+    void productsWithinGroupsAreThoseOfAll() {
+        Columns columns = new Columns(random(5, new Random(3)));
+        double[][] all = columns.gram();
+        double[][] within = DirectionProducts.within(columns, new int[] {1, 2});
+        for (int i = 0; i < 5; i++) {
+            for (int j = 0; j < 5; j++) {
+                boolean across = Math.max(i, j) < 3 && (i == 0) != (j == 0);
+                assertEquals(across ? Double.NaN : all[i][j], within[i][j], 1e-12);
+            }
+        }
+    }
 }
