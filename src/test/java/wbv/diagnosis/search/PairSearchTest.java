@@ -78,6 +78,22 @@ class PairSearchTest {
                 5354934170498379370L));
     }
 
+    /** A sensor turned by 27° passed for a tilt of as many standard deviations, beside which any law explained the rest. */
+    @Tag("exam")
+    @Test
+    void aTurnedSensorIsNoSmallError() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("turned", List.of("stiffness.asymmetric", "sensor.misalignment"), 1, Setting.RIG, false,
+                -7284787616749009755L));
+    }
+
+    /** Where the model had bent itself for both, the mass passed for 1.2 N of the sitter's own; beside the gain it is 7.7 N in step. */
+    @Tag("exam")
+    @Test
+    void aSwingingMassIsNoForceOfWhoSitsStill() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("swings", List.of("mode.hidden", "sensor.gain"), 1, Setting.FIELD, false,
+                2640715440873448179L));
+    }
+
     /** What enters at the head, its sensor or its neck looks alike beside a second place; the rotation shows beside the neck alone. */
     @Tag("exam")
     @Test
