@@ -11,7 +11,10 @@ import java.util.Arrays;
  */
 public record JointStrengths(double[] strengths, double gain) {
 
-    /** Part of a direction that another, or what follows it, cannot make itself, below which its strength means nothing. */
+    /**
+     * Part of the square of a direction [1] that another, or what follows it, cannot make itself, below which its strength means nothing: a
+     * hundredth of the direction, by which a sensor's gain errs (one standard deviation), makes as much seem new.
+     */
     public static final double LEAST_NEW = 1e-4;
 
     /**

@@ -33,7 +33,10 @@ public final class Baseline {
     /** Where sitters resonate [Hz]. */
     private static final double USUAL_RESONANCE = 5;
 
-    /** How many times the usual speed what no spring holds may have, and a reading be off, where nothing tells it beforehand [1]. */
+    /**
+     * How many times the usual speed what no spring holds may have, and a reading be off, where nothing tells it beforehand [1]: assumed,
+     * so many that the recording alone decides.
+     */
     static final double ANYHOW = 100;
 
     private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};

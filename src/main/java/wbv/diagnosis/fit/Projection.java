@@ -14,39 +14,38 @@ import wbv.diagnosis.algebra.SymmetricFactor;
 public final class Projection {
 
     private final int[] free;
-    /** Those that stand at a bound. */
-    private final int[] bound;
+    /** Those that are not asked. */
+    private final boolean[] off;
     private final Nuisances nuisances;
     private final Columns columns;
     private final SymmetricFactor factor;
 
     /** Where those stand at a bound that do at a state. */
     public Projection(Fitter.State state) {
-        this(state, free(state));
+        this(state.frame().nuisances(), off(state), free(state));
     }
 
     /** Where none stands at a bound, whatever the state: all that its candidate asks. */
     public static Projection ofAll(Fitter.State state) {
-        return new Projection(state, asked(state));
+        boolean[] off = off(state);
+        return new Projection(state.frame().nuisances(), off, IntStream.range(0, off.length).filter(i -> !off[i]).toArray());
     }
 
-    /** @param free of those that a state's candidate asks */
-    private Projection(Fitter.State state, int[] free) {
+    /** @param off those that are not asked */
+    private Projection(Nuisances nuisances, boolean[] off, int[] free) {
         this.free = free;
-        bound = IntStream.of(asked(state)).filter(i -> Arrays.binarySearch(free, i) < 0).toArray();
-        nuisances = state.frame().nuisances();
+        this.off = off;
+        this.nuisances = nuisances;
         columns = nuisances.columns().only(free);
         factor = nuisances.squares().factor(free);
     }
 
-    private static int[] asked(Fitter.State state) {
-        boolean[] off = state.frame().nuisances().off(state.candidate());
-        return IntStream.range(0, off.length).filter(i -> !off[i]).toArray();
+    private static boolean[] off(Fitter.State state) {
+        return state.frame().nuisances().off(state.candidate());
     }
 
     private static int[] free(Fitter.State state) {
-        Nuisances all = state.frame().nuisances();
-        return all.squares().free(state.errors(), all.off(state.candidate()));
+        return state.frame().nuisances().squares().free(state.errors(), off(state));
     }
 
     /** Whether the same errors are free at another state of the same frame. */
@@ -54,14 +53,18 @@ public final class Projection {
         return Arrays.equals(free, free(other));
     }
 
+    private IntStream bound() {
+        return IntStream.range(0, off.length).filter(i -> !off[i] && Arrays.binarySearch(free, i) < 0);
+    }
+
     /** What one standard deviation of each error at a bound adds to the whitened residual, as long. Not copies, not to be modified. */
     public List<double[]> atBound() {
-        return IntStream.of(bound).mapToObj(nuisances.columns()::get).toList();
+        return bound().mapToObj(nuisances.columns()::get).toList();
     }
 
     /** How large each error at a bound may be [1], in standard deviations, one an error there. A new array. */
     public double[] bounds() {
-        return IntStream.of(bound).mapToDouble(i -> nuisances.error(i).most()).toArray();
+        return bound().mapToDouble(i -> nuisances.error(i).most()).toArray();
     }
 
     /**

@@ -93,6 +93,11 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             this(key, unit, low, high, 0);
         }
 
+        /** Whether it may have a value, in its unit. */
+        public boolean mayBe(double value) {
+            return low <= value && value <= high;
+        }
+
         /**
          * Found by factors. Named by the law that it belongs to.
          *

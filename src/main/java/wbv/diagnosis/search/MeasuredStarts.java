@@ -82,10 +82,8 @@ final class MeasuredStarts {
         }
         double[] strengths = along.strengths(all, along.left());
         double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, own.length, all.length));
-        return IntStream.range(0, values.length).allMatch(i -> {
-            Hypothesis.Number number = hypothesis.numbers().get(i);
-            return values[i] >= number.low() && values[i] <= number.high();
-        }) ? Optional.of(values) : Optional.empty();
+        return IntStream.range(0, values.length).allMatch(i -> hypothesis.numbers().get(i).mayBe(values[i])) ? Optional.of(values)
+                : Optional.empty();
     }
 
     /** What is left beside a law. A new array. */

@@ -48,8 +48,7 @@ record SizedMechanisms(List<Looked> each, DirectionProducts.Together together) {
             }
             for (int i : start.columns().get(amplitude)) {
                 Hypothesis.Number number = hypothesis.numbers().get(i);
-                double value = number.nothing() + strength * start.sizes()[i];
-                if (!(number.low() <= value && value <= number.high())) {
+                if (!number.mayBe(number.nothing() + strength * start.sizes()[i])) {
                     return false;
                 }
             }
