@@ -9,10 +9,8 @@ import wbv.body.law.Learned;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Chosen;
@@ -61,7 +59,7 @@ final class Conclusion {
     private Optional<Diagnosed> withOwnForce(Chosen chosen, List<Fitter.State> fits) {
         int parts = chosen.fit().candidate().added().size();
         Optional<Chosen> pair = parts > 1 ? Optional.of(chosen)
-                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE && BodyForce.mayAct(evidence)
+                : parts == 1 && chosen.fit().reduced() > Priors.STRANGE && BodyForce.mayAct(evidence) && !inquiry.isOneLaw(chosen.fit())
                         ? inquiry.pairs().leavingLess(chosen.fit()) : Optional.empty();
         Optional<Conclusion> known = Optional.of(this).filter(itself -> parts == 1 && evidence.acting().own().isPresent());
         return pair.flatMap(two -> inquiry.own(two.fit()).map(force -> new Conclusion(inquiry.knowing(force))).or(() -> known)
@@ -110,18 +108,14 @@ final class Conclusion {
         // Two at two places are weighed by data not used themselves: these may be of a quieter part, in which one of the two hardly acts.
         boolean loud = best.reduced() > Priors.LOUD && (refinement.heldOut(best) > Priors.LOUD || inquiry.pairs().isAtTwo());
         boolean more = Refinement.explained(base, best) < Priors.NEARLY_ALL || best.reduced() > Priors.GLARING;
-        boolean much = loud && (more || inquiry.pairs().showsElsewhere(best)) && (inquiry.pairs().isAtTwo() || !isOneLaw(best));
+        boolean much = loud && (more || inquiry.pairs().showsElsewhere(best)) && !inquiry.isOneLaw(best);
         Chosen chosen = much ? inquiry.pairs().best(best, all) : Chosen.single(best);
         return !much && base.reduced() > Priors.SILENT
                 ? new SecondMechanism(evidence, search, inquiry::pairs).of(best).orElse(chosen) : chosen;
     }
 
-    private List<Known.Ignoring> entrances() {
-        return new Locator(evidence, inquiry.baseline()).singles(base.x());
-    }
-
     private List<Diagnosis.Latent> places() {
-        return entrances().stream().map(found -> {
+        return new Locator(evidence, inquiry.baseline()).singles(base.x()).stream().map(found -> {
             Place place = found.places().get(0);
             return new Diagnosis.Latent(place.kind().word(), place.name(evidence), found.reduced());
         }).toList();
@@ -142,11 +136,6 @@ final class Conclusion {
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;
-    }
-
-    /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */
-    private boolean isOneLaw(Fitter.State name) {
-        return new LawLearner(evidence, search, base, entrances()).isOne(name);
     }
 
     /** The best, or a simpler law or form at the same place that is as likely but for what a number more costs. */

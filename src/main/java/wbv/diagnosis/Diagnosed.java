@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.search.Fits;
@@ -75,6 +76,11 @@ public final class Diagnosed {
 
     private static boolean isBody(Diagnosis.Latent place) {
         return place.kind().equals(Place.Kind.BODY.word());
+    }
+
+    /** Whether nothing is named since one law at one place does what no name does, see {@link LawLearner#isOne}. */
+    boolean isOneLaw() {
+        return isUnexplained() && LawLearner.isOne(fits.evidence(), fits.base(), fits.best());
     }
 
     /** Whether it names a push and nothing else. */

@@ -119,7 +119,7 @@ public final class Diagnoser {
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
     private Diagnosed louderLater() {
         Optional<Diagnosed> here = base.reduced() > Priors.GLARING ? Optional.of(searched()) : Optional.empty();
-        return here.filter(Diagnosed::isByHypothesis).orElseGet(() -> {
+        return here.filter(found -> found.isByHypothesis() || found.isOneLaw()).orElseGet(() -> {
             Diagnosed later = run(Inquiry.of(evidence.late(), inquiry.progress()));
             // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
             // not show it.
@@ -130,12 +130,8 @@ public final class Diagnoser {
 
     /** The diagnosis where something is missing, if no more than a person's own force. */
     private Diagnosed searched() {
-        return evidence.acting().own().isPresent() ? asKnown(whereabouts())
-                : sittingStill().or(this::linear).orElseGet(() -> withOwnForce(whereabouts()));
-    }
-
-    private Whereabouts whereabouts() {
-        return Whereabouts.found(evidence, base);
+        return evidence.acting().own().isPresent() ? asKnown(Whereabouts.found(evidence, base))
+                : sittingStill().or(this::linear).orElseGet(() -> withOwnForce(Whereabouts.found(evidence, base)));
     }
 
     /** The diagnosis where all that is left is what a person does who sits still. */
@@ -166,7 +162,7 @@ public final class Diagnoser {
     private Diagnosed withOwnForce(Whereabouts where) {
         Optional<Diagnosed> knowing = where.ownForce().map(own -> run(inquiry.knowing(own)));
         Optional<Diagnosed> named = knowing.filter(found -> !found.isOpen());
-        return named.filter(found -> !inquiry.isMoreThanOwn(found.chosen)).orElseGet(() -> {
+        return knowing.filter(Diagnosed::isOneLaw).or(() -> named.filter(found -> !inquiry.isMoreThanOwn(found.chosen))).orElseGet(() -> {
             // What was taken for a person's force is a part of what is missing: of a push that is all there is and goes by no law, or else.
             boolean pushed = knowing.isPresent() && named.isEmpty() && inquiry.push().isPresent();
             Diagnosed without = pushed ? Conclusion.of(inquiry, List.of()) : asKnown(where);
@@ -189,7 +185,9 @@ public final class Diagnoser {
     private Diagnosed asKnown(List<Fitter.State> leaders, Whereabouts where) {
         Fitter.State best = leaders.stream().findFirst().orElse(base);   // what it leaves shows the person's own force
         Inquiry hearing = inquiry.hearingInput(best);
-        return hearing == inquiry ? withForceLeft(leaders, best, where) : judged(hearing, leaders);
+        return hearing != inquiry ? judged(hearing, leaders)
+                : best.reduced() > Priors.STRANGE && inquiry.isOneLaw(best) ? Conclusion.of(inquiry, leaders)
+                        : withForceLeft(leaders, best, where);
     }
 
     /** The diagnosis with the force in the noise that the best hypothesis leaves, if that is a person's own. */
@@ -229,7 +227,7 @@ public final class Diagnoser {
     }
 
     private List<Fitter.State> leaders(Whereabouts where) {
-        return inquiry.pairs().leaders(() -> oneByOne(where));
+        return inquiry.pairs().leaders(() -> oneByOne(where), inquiry::isOneLaw);
     }
 
     private List<Fitter.State> oneByOne(Whereabouts where) {

@@ -12,6 +12,7 @@ import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.SpectralLines;
+import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.PairSearch;
@@ -113,6 +114,11 @@ final class Inquiry {
     /** The user's model with fitted values and nothing added. */
     Fitter.State base() {
         return search.base(baseline);
+    }
+
+    /** Whether one law at one place does what a single mechanism does not, see {@link LawLearner#isOne}. */
+    boolean isOneLaw(Fitter.State name) {
+        return LawLearner.isOne(evidence, base(), name);
     }
 
     /** The model with the values that its user gave it. */

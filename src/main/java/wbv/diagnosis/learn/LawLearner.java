@@ -179,8 +179,20 @@ public final class LawLearner {
         return out;
     }
 
-    /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
-    public boolean isOne(Fitter.State name) {
+    private record One(Fitter.State base, Fitter.State name) implements Known.Question<Boolean> {}
+
+    /**
+     * Whether a law of a single term at one place, one that is in no library, leaves less than half of what a single name does: then nobody
+     * need look for two of the library. Kept with the evidence.
+     *
+     * @param base the model without any mechanism, fitted
+     */
+    public static boolean isOne(Evidence evidence, Fitter.State base, Fitter.State name) {
+        return evidence.known().once(new One(base, name), () -> new LawLearner(evidence, new Search(evidence, (step, share) -> {}), base,
+                new Locator(evidence, base.candidate()).singles(base.x())).one(name).isPresent());
+    }
+
+    private Optional<Sentence> one(Fitter.State name) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links().stream().filter(each -> mayHoldAll(each) && mayLeave(each, Priors.MAJORITY, name)).toList()) {
             List<Sentence> single = openings.of(link, unbent(link), name).sentences().stream()
@@ -188,7 +200,7 @@ public final class LawLearner {
             all.addAll(single);
             all.addAll(single.isEmpty() ? single : limited(weighing.best(single), link));
         }
-        return law(weighing.of(all).stream().limit(1).toList(), Chosen.single(name)).isPresent();
+        return law(weighing.of(all).stream().limit(1).toList(), Chosen.single(name));
     }
 
     /**

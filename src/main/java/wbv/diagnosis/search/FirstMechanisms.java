@@ -2,6 +2,7 @@ package wbv.diagnosis.search;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
@@ -35,13 +36,16 @@ final class FirstMechanisms {
      * is sought by itself will.
      *
      * @param sought those that are sought by themselves
+     * @param isOneLaw whether one law at one place does what the best of them does not
      */
-    List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought) {
+    List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought, Predicate<Fitter.State> isOneLaw) {
         if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return sought.get();
         }
         Optional<List<Fitter.State>> first = places.mayBeOne() ? Optional.of(sought.get()) : Optional.empty();
-        return first.filter(found -> atAny() <= PairSearch.QUIET || found.stream().anyMatch(fit -> leavesLess(fit) || leavesScatter(fit)))
+        return first
+                .filter(found -> atAny() <= PairSearch.QUIET || found.stream().anyMatch(fit -> leavesLess(fit) || leavesScatter(fit))
+                        || found.stream().limit(1).anyMatch(isOneLaw))
                 .or(this::parts).or(() -> first).orElseGet(sought);
     }
 

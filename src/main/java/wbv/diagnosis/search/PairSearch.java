@@ -122,9 +122,10 @@ public final class PairSearch {
      * The first mechanisms by themselves, least first, see {@link FirstMechanisms}.
      *
      * @param sought those that are sought by themselves
+     * @param isOneLaw whether one law at one place does what the best of them does not
      */
-    public List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought) {
-        return firsts.leaders(sought);
+    public List<Fitter.State> leaders(Supplier<List<Fitter.State>> sought, Predicate<Fitter.State> isOneLaw) {
+        return firsts.leaders(sought, isOneLaw);
     }
 
     /**
