@@ -13,6 +13,7 @@ import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.PairSearch;
+import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
@@ -63,14 +64,14 @@ public final class Diagnosed {
 
     /**
      * Whether nothing explains a mismatch that may be several mechanisms or a push: not one that enters in a link or at a sensor alone,
-     * where all of the library was tried and nothing came near.
+     * where all of the library was tried and nothing came near, taking half of it.
      */
     boolean isOpen() {
         List<Diagnosis.Latent> alone = diagnosis.latent().stream().filter(place -> Refinement.excess(place.reduced()) <= PairSearch.QUIET)
                 .toList();
         // A body on the base feels what its link does: the two leave the same.
         Set<Double> elsewhere = alone.stream().filter(place -> !isBody(place)).map(Diagnosis.Latent::reduced).collect(Collectors.toSet());
-        return isUnexplained() && (isNear() || alone.isEmpty()
+        return isUnexplained() && (Refinement.explained(fits.base(), fits.best()) > Priors.MAJORITY || alone.isEmpty()
                 || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
     }
 

@@ -58,9 +58,12 @@ final class FirstMechanisms {
                 || measured(single).filter(pair -> Refinement.isTaken(single.reduced(), pair.reduced())).isPresent();
     }
 
-    /** The pair along what was measured that leaves less than a single mechanism; empty where none does. */
+    /**
+     * The pair along what was measured that leaves less than a single mechanism; empty where none does, and where none is looked for: beside
+     * whatever enters at one place there is nothing left for a second elsewhere.
+     */
     Optional<Fitter.State> measured(Fitter.State single) {
-        return evidence.outputs().size() == 1 ? Optional.empty()
+        return evidence.outputs().size() == 1 || atAny() <= PairSearch.QUIET ? Optional.empty()
                 : places.measured().map(MeasuredHeats.Found::fit).filter(pair -> pair.reduced() < single.reduced());
     }
 
