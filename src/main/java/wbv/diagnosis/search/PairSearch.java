@@ -82,9 +82,8 @@ public final class PairSearch {
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
         // Where nothing more than noise is left beside a place no pair of places leaves less; nor need one be asked for where all enters at
         // one, whatever mechanism that is.
-        boolean one = !blind && (alone <= QUIET
-                || Refinement.explained(base, single) < Priors.MAJORITY && places.atOne(looked.singles().get(0))
-                        && firsts.atTwo().isEmpty());
+        boolean one = alone <= QUIET || !blind && Refinement.explained(base, single) < Priors.MAJORITY
+                && places.atOne(looked.singles().get(0)) && firsts.atTwo().isEmpty();
         if (!one && !blind && firsts.leavesScatter(single)) {
             return likeliest(single, oneByOne(single, List.of(single), hypothesis -> true));
         }
