@@ -105,6 +105,21 @@ public class LawLearnerTest {
                 "" + diagnosis.missing());
     }
 
+    /** One law at one place does what the likeliest name does not; beside a right name there is none. */
+    @Tag("slow")
+    @Test
+    void oneLawTakesThePlaceOfTwoNames() {
+        assertTrue(isOne(new LearnedWave(Shape.DEFLECTION, 9000, 14000, 0.23)));
+        assertFalse(isOne(new CubicSpring(2e9)));
+    }
+
+    private static boolean isOne(Law law) {
+        Evidence evidence = new Evidence(model(List.of()), recording(law));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State base = search.base(Baseline.of(evidence));
+        return LawLearner.isOne(evidence, base, search.best(base, Whereabouts.found(evidence, base)).orElseThrow());
+    }
+
     /** Beside a right name no term promises anything; beside one that only looks like the law, to first order, the law does. */
     @Test
     void besideARightNameNothingIsPromised() {

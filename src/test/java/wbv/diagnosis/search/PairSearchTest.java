@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
@@ -20,6 +21,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Bench;
 import wbv.diagnosis.Diagnoser;
@@ -27,6 +29,7 @@ import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.recording.Channel;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
@@ -135,6 +138,40 @@ class PairSearchTest {
         asked.clear();
         assertSame(softening, new PairSearch(evidence, search, base, (step, share) -> asked.add(step)).best(softening, leaders).fit());
         assertEquals(List.of(), asked, "none is sought");
+    }
+
+    /** Ignoring where a spring softens leaves noise at the other of two outputs: what a spring that yields leaves of that is no second. */
+    @Tag("slow")
+    @Test
+    void twoOutputsTellThatAllEntersAtOnePlace() {
+        Random random = new Random(2);
+        DoubleUnaryOperator push = Bench.tones(40, 1, 0.5, 4, random);
+        double reach = 1.5e-3;
+        Bench bench = new Bench(200, 20, 40, 5, 3).run((t, x, v, out) -> {
+            double softening = 12000 * reach * Math.tanh((x[1] - x[0]) / reach) + 40 * (v[1] - v[0]);
+            out[0] = push.applyAsDouble(t) - 20000 * x[0] - 60 * v[0] + softening;
+            out[1] = -softening;
+        });
+        double[] mass = bench.sampled(bench.position(0));
+        double[] load = bench.sampled(bench.position(1));
+        Model model = new Model("bench", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
+                List.of(Bench.body("mass", 5, Optional.of(Channel.parse("mass.pos.z"))),
+                        Bench.body("load", 3, Optional.of(Channel.parse("load.pos.z")))),
+                List.of(Bench.link("ground", "mass", 20000, 60, Optional.empty()),
+                        Bench.link("mass", "load", 12000, 40, Optional.empty())),
+                List.of(new Model.Input("mass", Channel.parse("mass.force.z"))));
+        Evidence evidence = new Evidence(model, bench.recording("mass.force.z", bench.sampled(push), "mass.pos.z",
+                Bench.noisyBy(1e-4, mass, random), "load.pos.z", Bench.noisyBy(1e-4, load, random)));
+        Search search = new Search(evidence, (step, share) -> {});
+        Fitter.State base = search.base(Baseline.of(evidence));
+        Fitter.State yielding = search.best(base,
+                Whereabouts.anywhere(evidence, base.candidate()).only(h -> h.mechanism().equals("hysteresis"))).orElseThrow();
+        assertTrue(yielding.reduced() > Priors.GLARING, yielding.reduced() + " of " + base.reduced());
+        List<String> asked = new ArrayList<>();
+        Fitter.State found = new PairSearch(evidence, search, base, (step, share) -> asked.add(step)).best(yielding, List.of(yielding))
+                .fit();
+        assertFalse(asked.contains("pairs"), asked.toString());
+        assertEquals(Set.of("mass-load"), found.candidate().added().stream().map(Hypothesis::where).collect(Collectors.toSet()));
     }
 
     private boolean showsBesideFriction(List<String> words, long seed) throws Exception {
