@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.simulate.ModulatorSeries;
@@ -121,11 +122,21 @@ final class MeasuredHeats {
     private List<Fitter.State> best(int most, int contenders) {
         List<Contender> first = ways(false).stream()
                 .flatMap(way -> singles(way).limit(contenders).map(sized -> new Contender(way, sized))).toList();
-        List<Trial> heat = race.last(Parallel.map(first, one -> begun(one, shaped(one))));
+        Set<Hypothesis> promising = promising(first);
+        List<Trial> heat = race.last(Parallel.map(first, one -> begun(one, shaped(one))),
+                trial -> promising.contains(trial.first().candidate().last()));
         Set<Set<String>> names = new HashSet<>();
         List<Fitter.State> last = heat.stream().map(Trial::first).filter(fit -> names.add(race.claims(fit))).limit(most).toList();
         return Parallel.map(last, refinement::polishFromBoth).stream().filter(fit -> !fit.failed())
                 .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
+    }
+
+    /** Those that take nearly as much along the measured motion as the first of their way does. */
+    private static Set<Hypothesis> promising(List<Contender> contenders) {
+        Map<Way, Double> most = contenders.stream()
+                .collect(Collectors.toMap(Contender::way, one -> one.sized().gain(), Math::max));
+        return contenders.stream().filter(one -> one.sized().gain() >= Priors.NEARLY_ALL * most.get(one.way()))
+                .map(one -> one.sized().each().get(0).hypothesis()).collect(Collectors.toSet());
     }
 
     /** The best of each name, those that take most first. */
@@ -178,7 +189,7 @@ final class MeasuredHeats {
     Optional<Found> two(Predicate<Set<Place>> places, Twins twins) {
         List<Trial> heat = race.last(Parallel.map(
                 ways(true).stream().flatMap(way -> pairs(way, places, twins).map(sized -> new Contender(way, sized))).toList(),
-                pair -> begun(pair, Stream.of())));
+                pair -> begun(pair, Stream.of())), pair -> false);
         return Parallel.map(heat.stream().limit(Effort.SECONDS).toList(), trial -> refinement.polishFromBoth(trial.first())).stream()
                 .filter(fit -> !fit.failed()).min(Comparator.comparingDouble(Fitter.State::reduced))
                 .map(first -> new Found(first, isAlone(first, heat)));
