@@ -59,8 +59,8 @@ final class FirstMechanisms {
     }
 
     /**
-     * The pair along what was measured that leaves less than a single mechanism; empty where none does, and where none is looked for: beside
-     * whatever enters at one place there is nothing left for a second elsewhere.
+     * The pair along what was measured that leaves less than a single mechanism; empty where none does, and where none is looked for:
+     * beside whatever enters at one place there is nothing left for a second elsewhere.
      */
     Optional<Fitter.State> measured(Fitter.State single) {
         return evidence.outputs().size() == 1 || atAny() <= PairSearch.QUIET ? Optional.empty()

@@ -104,8 +104,7 @@ public final class Search {
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
         List<Fitter.State> measured = base.reduced() > Priors.GLARING ? alongMeasured(base, polished, where) : List.of();
         return measured.stream().anyMatch(fit -> fit.reduced() < Math.max(where.reach(), Refinement.form(base))) ? measured
-                : Stream.concat(measured.stream(), leaders(base, polished, where, score -> true).stream())
-                        .sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
+                : both(measured, leaders(base, polished, where, score -> true));
     }
 
     /** The same as they race from where the measured motion has them: of a mismatch so plain that this shows more than noise. */
@@ -133,14 +132,24 @@ public final class Search {
     }
 
     /**
-     * The same of linear hypotheses anywhere that promise to explain a part of the mismatch to first order.
+     * The same of linear hypotheses anywhere that promise to explain a part of the mismatch to first order; where the best of them explains
+     * nearly all, with those that do so at its place from where the measured motion has them: as a bent model moves, one shows less than
+     * what imitates it.
      *
      * @param part 0 to 1
      */
     public List<Fitter.State> linear(Fitter.State base, int polished, double part) {
         double least = part * (base.square() - base.frame().whitening().degrees());
-        return leaders(base, polished, Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree()),
-                score -> score.gain() > least);
+        Whereabouts anywhere = Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree());
+        List<Fitter.State> fits = leaders(base, polished, anywhere, score -> score.gain() > least);
+        return fits.isEmpty() || !Refinement.explainsNearlyAll(base, fits.get(0)) ? fits
+                : both(fits, alongMeasured(base, polished,
+                        anywhere.only(each -> Place.plain(each, base.candidate()).equals(Place.ofLast(fits.get(0))))));
+    }
+
+    /** All of them, least first. */
+    private static List<Fitter.State> both(List<Fitter.State> some, List<Fitter.State> others) {
+        return Stream.concat(some.stream(), others.stream()).sorted(Comparator.comparingDouble(Fitter.State::reduced)).toList();
     }
 
     private List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, Predicate<Screening.Score> open) {
@@ -191,9 +200,7 @@ public final class Search {
         fits.subList(leading, fits.size()).forEach(fit -> out.add(fitter.look(fit.candidate(), fit.x(), base.frame())));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         FurtherForm further = new FurtherForm(refinement, base, hypotheses(base));
-        out.addAll(out.stream().limit(1).flatMap(first -> further.rivals(first).stream()).toList());
-        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        return out;
+        return both(out, out.stream().limit(1).flatMap(first -> further.rivals(first).stream()).toList());
     }
 
     /** Those of the library at a fit. */
@@ -238,7 +245,6 @@ public final class Search {
     /** The best hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
     public Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
         return leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where).stream()
-                .filter(fit -> !Refinement.extreme(fit))
-                .findFirst();
+                .filter(fit -> !Refinement.extreme(fit)).findFirst();
     }
 }
