@@ -55,7 +55,11 @@ class SearchTest {
     }
 
     private Asked asked(String mechanism, long seed) throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("search", List.of(mechanism), 1, Setting.RIG, false, seed));
+        return asked(mechanism, 1, seed);
+    }
+
+    private Asked asked(String mechanism, double strength, long seed) throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("search", List.of(mechanism), strength, Setting.RIG, false, seed));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
         JsonNode key = new ObjectMapper().readTree(made.key());
         return Asked.of(new Evidence(ModelFile.read(model), made.recording()), key.path("mechanisms").path(0).path("where").asText());
@@ -82,5 +86,21 @@ class SearchTest {
         Fitter.State arm = asked.leaders().stream().filter(fit -> fit.candidate().last().mechanism().equals("memory.viscoelastic")
                 && fit.candidate().last().where().equals(asked.place())).findFirst().orElseThrow();
         assertTrue(Refinement.explained(asked.base(), arm) > Priors.NEARLY_ALL, "leaves " + arm.reduced());
+    }
+
+    /**
+     * A reflex as late as the head swings, with a negative stiffness, does what an inerter does, and more of it as a bent model moves; along
+     * the measured motion the inerter takes as much, and has farther to go from there.
+     */
+    @Tag("slow")
+    @Test
+    void whatImitatesALawDoesNotHideIt() throws Exception {
+        Asked asked = asked("open.inerter", 0.3, 5367254090399903269L);
+        assertEquals("learned at " + asked.place(), first(Asked.search(asked.evidence()).linear(asked.base(), Effort.LEADERS, Priors.MAJORITY)));
+        assertEquals("learned at " + asked.place(), first(asked.knowing().leaders()));
+    }
+
+    private static String first(List<Fitter.State> fits) {
+        return fits.get(0).candidate().last().mechanism() + " at " + fits.get(0).candidate().last().where();
     }
 }
