@@ -65,7 +65,7 @@ final class Learning {
         // A law that nobody has named passes for a push, as arbitrary as that is; one that is learned takes its place.
         boolean pushed = found.isPush() && mayBeLaw(found, fits.base());
         boolean refused = isRefused(found) || pushed;
-        boolean doubts = !refused && LawProof.doubts(fits);
+        boolean doubts = !refused && LawProof.doubts(fits, refinement.heldOut(fits.best()));
         boolean lacks = !isRefused(found) && !found.diagnosis().missing().isEmpty() && LawProof.lacks(fits);
         // A law in place of a name that explains nearly all differs from it by little, as a form of it does: what that may gain shows
         // beside the name. Two at one place it may outweigh and gain nothing.

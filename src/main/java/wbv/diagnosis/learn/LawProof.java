@@ -30,16 +30,18 @@ public final class LawProof {
     }
 
     /**
-     * Whether named physics, laws among it, leave more than noise, or are two at one place: then it may be another law, which only looks
-     * like it, or like both together. What stands for a simulation carries no law quite as that would, so that there a right one may leave
-     * more.
+     * Whether named physics, laws among it, leave more than noise, of the data they were fitted to or of others, or are two at one place:
+     * then it may be another law, which only looks like it, or like both together. What stands for a simulation carries no law quite as that
+     * would, so that there a right one may leave more.
+     *
+     * @param heldOut what they leave of data not used, as a mean square of the whitened residual
      */
-    public static boolean doubts(Fits named) {
+    public static boolean doubts(Fits named, double heldOut) {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        return physics && (isTwofold(named)
-                || (named.evidence().standsForSimulation() ? leavesMuch(named) : named.best().reduced() > Priors.SILENT));
+        return physics && (isTwofold(named) || (named.evidence().standsForSimulation() ? leavesMuch(named)
+                : Math.max(named.best().reduced(), heldOut) > Priors.SILENT));
     }
 
     /** Whether two are named at one place. */

@@ -96,7 +96,8 @@ class SearchTest {
     @Test
     void whatImitatesALawDoesNotHideIt() throws Exception {
         Asked asked = asked("open.inerter", 0.3, 5367254090399903269L);
-        assertEquals("learned at " + asked.place(), first(Asked.search(asked.evidence()).linear(asked.base(), Effort.LEADERS, Priors.MAJORITY)));
+        assertEquals("learned at " + asked.place(),
+                first(Asked.search(asked.evidence()).linear(asked.base(), Effort.LEADERS, Priors.MAJORITY)));
         assertEquals("learned at " + asked.place(), first(asked.knowing().leaders()));
     }
 
