@@ -30,9 +30,9 @@ public final class LawProof {
     }
 
     /**
-     * Whether named physics, laws among it, leave more than noise, of the data they were fitted to or of others, or are two at one place:
-     * then it may be another law, which only looks like it, or like both together. What stands for a simulation carries no law quite as that
-     * would, so that there a right one may leave more.
+     * Whether named physics, laws among it, leave more than noise, of data used or not, or are two at one place: then it may be another
+     * law, which only looks like it, or like both together. What stands for a simulation carries no law quite as that would, so that there
+     * a right one may leave more.
      *
      * @param heldOut what they leave of data not used, as a mean square of the whitened residual
      */

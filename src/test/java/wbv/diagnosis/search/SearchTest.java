@@ -89,8 +89,8 @@ class SearchTest {
     }
 
     /**
-     * A reflex as late as the head swings, with a negative stiffness, does what an inerter does, and more of it as a bent model moves; along
-     * the measured motion the inerter takes as much, and has farther to go from there.
+     * A reflex as late as the head swings, with a negative stiffness, does what an inerter does, and more of it as a bent model moves;
+     * along the measured motion the inerter takes as much, and has farther to go from there.
      */
     @Tag("slow")
     @Test
