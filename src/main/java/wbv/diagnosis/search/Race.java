@@ -47,7 +47,10 @@ record Race(Trial.Ground whole, Trial.Ground brief) {
         return ahead(heat, Effort.CONTENDERS, promising);
     }
 
-    /** Those that are not given up yet, and the first of another name in any case, which tells what the name of the first is worth. */
+    /**
+     * Those that are not given up yet or promise much, and the first of another name in any case, which tells what the name of the first
+     * is worth.
+     */
     private List<Trial> ahead(List<Trial> trials, int most, Predicate<Trial> promising) {
         List<Trial> sorted = trials.stream().filter(trial -> !trial.first().failed()).sorted(LEAST).toList();
         double reach = sorted.isEmpty() ? 0 : Effort.HOPELESS * sorted.get(0).excess();
