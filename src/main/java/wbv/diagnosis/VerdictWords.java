@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.body.law.Learned;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Slot;
@@ -67,7 +68,8 @@ final class VerdictWords {
         boolean open = rival.probability() > 1 - Priors.HELD;
         String own = odds < Math.log(Priors.ODDS) ? ", with stiffness or damping far from what was given"
                 : open && odds > -Math.log(Priors.ODDS) ? ", with stiffness or damping nearer to what was given" : "";
-        return "; next best " + rival.mechanism() + " at " + rival.where() + ", "
+        String name = rival.mechanism().equals(Learned.MECHANISM) ? "a law of no library" : rival.mechanism();
+        return "; next best " + name + " at " + rival.where() + ", "
                 + Phrases.percent(Refinement.explained(base, rival.reduced())) + own;
     }
 
