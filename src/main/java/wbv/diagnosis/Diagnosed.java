@@ -79,9 +79,9 @@ public final class Diagnosed {
         return place.kind().equals(Place.Kind.BODY.word());
     }
 
-    /** Whether nothing is named since one law at one place does what no name does, see {@link LawLearner#isOne}. */
+    /** Whether nothing is named since one law does what no name does, see {@link LawLearner#isOne}, at a place that outputs tell. */
     boolean isOneLaw() {
-        return isUnexplained() && LawLearner.isOne(fits.evidence(), fits.base(), fits.best());
+        return isUnexplained() && !diagnosis.latent().isEmpty() && LawLearner.isOne(fits.evidence(), fits.base(), fits.best());
     }
 
     /** Whether it names a push and nothing else. */

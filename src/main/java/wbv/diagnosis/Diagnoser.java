@@ -119,7 +119,7 @@ public final class Diagnoser {
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
     private Diagnosed louderLater() {
         Optional<Diagnosed> here = base.reduced() > Priors.GLARING ? Optional.of(searched()) : Optional.empty();
-        return here.filter(Diagnosed::isByHypothesis).orElseGet(() -> {
+        return here.filter(found -> found.isByHypothesis() || found.isOneLaw()).orElseGet(() -> {
             Diagnosed later = run(Inquiry.of(evidence.late(), inquiry.progress()));
             // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does
             // not show it.
