@@ -189,10 +189,10 @@ public final class LawLearner {
      */
     public static boolean isOne(Evidence evidence, Fitter.State base, Fitter.State name) {
         return evidence.known().once(new One(base, name), () -> new LawLearner(evidence, new Search(evidence, (step, share) -> {}), base,
-                new Locator(evidence, base.candidate()).singles(base.x())).one(name).isPresent());
+                new Locator(evidence, base.candidate()).singles(base.x())).isOne(name));
     }
 
-    private Optional<Sentence> one(Fitter.State name) {
+    private boolean isOne(Fitter.State name) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links().stream().filter(each -> mayHoldAll(each) && mayLeave(each, Priors.MAJORITY, name)).toList()) {
             List<Sentence> single = openings.of(link, unbent(link), name).sentences().stream()
@@ -200,7 +200,7 @@ public final class LawLearner {
             all.addAll(single);
             all.addAll(single.isEmpty() ? single : limited(weighing.best(single), link));
         }
-        return law(weighing.of(all).stream().limit(1).toList(), Chosen.single(name));
+        return law(weighing.of(all).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
     /**
