@@ -16,9 +16,11 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Nuisances;
+import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.measured.AboveNoise;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -203,8 +205,19 @@ public final class Directions {
         return force(hypothesis, values, structure.stiffness()[link], structure.damping()[link]);
     }
 
-    /** The same in a link of other numbers [N/m] and [N s/m]. */
-    double[] force(Hypothesis hypothesis, double[] values, double stiffness, double damping) {
+    /**
+     * The same in a link of which a number is so many times as large.
+     *
+     * @param of the number, of that link
+     */
+    double[] force(Hypothesis hypothesis, double[] values, Knob of, double times) {
+        int link = link(hypothesis);
+        boolean spring = of.slot().kind() == Slot.Kind.STIFFNESS;
+        return force(hypothesis, values, (spring ? times : 1) * structure.stiffness()[link],
+                (spring ? 1 : times) * structure.damping()[link]);
+    }
+
+    private double[] force(Hypothesis hypothesis, double[] values, double stiffness, double damping) {
         int link = link(hypothesis);
         double[] sum = new double[motion.displacement(link).length];
         for (Law law : hypothesis.laws(values)) {

@@ -1,6 +1,7 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -50,10 +51,19 @@ final class MeasuredHeats {
     private record Way(AlongMeasured along, AlongMeasured.Products products, MeasuredStarts starts) {
 
         /** The model's numbers beside some of those that were looked at. */
-        double[] numbers(Fitter.State base, SizedMechanisms beside) {
+        double[] numbers(Fitter.State base, DirectionProducts.Together beside) {
             double[] x = base.x().clone();
-            along.move(x, products.numbers(beside.together()));
+            along.move(x, products.numbers(beside));
             return x;
+        }
+
+        /** Some of those that were looked at, as strong as leaves least by some products. */
+        Optional<SizedMechanisms> sized(Fitter.State base, DirectionProducts by, List<SizedMechanisms.Looked> each) {
+            return SizedMechanisms.of(by, each, beside -> {
+                double[] x = numbers(base, beside);
+                Arrays.setAll(x, k -> Math.exp(x[k] - base.x()[k]));   // of what is no factor nothing goes by this
+                return x;
+            });
         }
     }
 
@@ -70,8 +80,8 @@ final class MeasuredHeats {
         this.refinement = new Refinement(evidence);
         this.base = base;
         this.race = Race.on(base, refinement, new Fitter(evidence));
-        this.looked = looked(hypotheses, base.candidate());
         this.directions = new Directions(evidence, base, motion, new ModulatorSeries(evidence.excitation(), motion));
+        this.looked = looked(hypotheses);
         this.motion = motion;
     }
 
@@ -86,12 +96,12 @@ final class MeasuredHeats {
         }).toList();
     }
 
-    private static List<SizedMechanisms.Looked> looked(List<Hypothesis> hypotheses, Candidate base) {
+    private List<SizedMechanisms.Looked> looked(List<Hypothesis> hypotheses) {
         List<SizedMechanisms.Looked> out = new ArrayList<>();
         int count = 0;
         for (Hypothesis hypothesis : hypotheses) {
             for (Start start : hypothesis.starts()) {
-                SizedMechanisms.Looked one = SizedMechanisms.Looked.of(hypothesis, start, count, base);
+                SizedMechanisms.Looked one = SizedMechanisms.Looked.of(hypothesis, start, count, base.candidate(), directions);
                 out.add(one);
                 count += one.own().length;
             }
@@ -142,7 +152,7 @@ final class MeasuredHeats {
     /** The best of each name, those that take most first. */
     private Stream<SizedMechanisms> singles(Way way) {
         Map<String, SizedMechanisms> best = new LinkedHashMap<>();
-        looked.forEach(one -> SizedMechanisms.of(way.products().directions(), List.of(one))
+        looked.forEach(one -> way.sized(base, way.products().directions(), List.of(one))
                 .ifPresent(single -> best.merge(one.hypothesis().name(), single, MeasuredHeats::more)));
         return best.values().stream().sorted(MOST);
     }
@@ -158,7 +168,7 @@ final class MeasuredHeats {
 
     /** The first step by free run, also from other starts. */
     private Trial begun(Contender contender, Stream<double[]> others) {
-        double[] x = contender.sized().on(base.candidate(), contender.way().numbers(base, contender.sized()));
+        double[] x = contender.sized().on(base.candidate(), contender.way().numbers(base, contender.sized().together()));
         return begun(contender.sized().on(base.candidate()), Stream.concat(Stream.of(x), others));
     }
 
@@ -209,13 +219,13 @@ final class MeasuredHeats {
         Map<Set<String>, SizedMechanisms> best = new HashMap<>();
         DirectionProducts directions = way.products().directions();
         for (DirectionProducts quick : List.of(directions.free(), directions.resting())) {
-            pairs(quick, places, twins).forEach((names, found) -> SizedMechanisms.of(directions, found.each())
+            pairs(way, quick, places, twins).forEach((names, found) -> way.sized(base, directions, found.each())
                     .ifPresent(pair -> best.merge(names, pair, MeasuredHeats::more)));
         }
         return best.values().stream().sorted(MOST).limit(2 * Effort.CONTENDERS);
     }
 
-    private Map<Set<String>, SizedMechanisms> pairs(DirectionProducts directions, Predicate<Set<Place>> places, Twins twins) {
+    private Map<Set<String>, SizedMechanisms> pairs(Way way, DirectionProducts directions, Predicate<Set<Place>> places, Twins twins) {
         Map<Set<String>, SizedMechanisms> best = new HashMap<>();
         List<Place> first = looked.stream().map(each -> twins.first(each.place())).toList();
         List<String> claims = looked.stream().map(each -> each.hypothesis().claim()).toList();
@@ -223,7 +233,7 @@ final class MeasuredHeats {
             for (int j = 0; j < i; j++) {
                 if (!first.get(i).equals(first.get(j)) && places.test(Set.of(first.get(i), first.get(j)))) {
                     Set<String> names = both(claims.get(i), claims.get(j));
-                    SizedMechanisms.of(directions, List.of(looked.get(i), looked.get(j)))
+                    way.sized(base, directions, List.of(looked.get(i), looked.get(j)))
                             .ifPresent(pair -> best.merge(names, pair, MeasuredHeats::more));
                 }
             }

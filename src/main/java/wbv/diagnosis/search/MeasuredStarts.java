@@ -5,11 +5,9 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Spectra;
-import wbv.body.Structure;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Start;
 import wbv.diagnosis.search.AlongMeasured.Followed;
@@ -27,7 +25,6 @@ final class MeasuredStarts {
 
     private final Directions directions;
     private final Fitter.State base;
-    private final Structure structure;
     private final AlongMeasured along;
 
     /**
@@ -38,7 +35,6 @@ final class MeasuredStarts {
     MeasuredStarts(Directions directions, Fitter.State base, AlongMeasured along) {
         this.directions = directions;
         this.base = base;
-        this.structure = base.candidate().at(base.x()).structure();
         this.along = along;
     }
 
@@ -148,15 +144,11 @@ final class MeasuredStarts {
     /** What the model's numbers do beside a law, which goes with those of its own link. */
     private Followed[] beside(Hypothesis hypothesis, double[] values, double[] law) {
         int link = Directions.link(hypothesis);
-        double stiffness = structure.stiffness()[link];
-        double damping = structure.damping()[link];
         Followed[] all = along.carried();
         for (int i = 0; i < all.length; i++) {
             Knob knob = base.candidate().knobs().get(i);
             if (knob.isOfLink() && knob.slot().at() == link) {
-                boolean spring = knob.slot().kind() == Slot.Kind.STIFFNESS;
-                double[] more = slope(law, directions.force(hypothesis, values,
-                        spring ? (1 + Effort.DIFFERENCE) * stiffness : stiffness, spring ? damping : (1 + Effort.DIFFERENCE) * damping));
+                double[] more = slope(law, directions.force(hypothesis, values, knob, 1 + Effort.DIFFERENCE));
                 all[i] = Arrays.stream(more).allMatch(force -> force == 0) ? all[i]
                         : along.followed(AlongMeasured.sum(all[i].vector(), directions.of(link, more)));
             }

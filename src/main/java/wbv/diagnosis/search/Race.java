@@ -1,11 +1,14 @@
 package wbv.diagnosis.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Parallel;
@@ -44,7 +47,10 @@ record Race(Trial.Ground whole, Trial.Ground brief) {
         for (int left = Effort.CONTENDERS; left >= Effort.PLACES; left /= 2) {
             heat = Parallel.map(ahead(heat, left, promising), trial -> trial.onward(Effort.SECONDS));
         }
-        return ahead(heat, Effort.CONTENDERS, promising);
+        List<Trial> last = ahead(heat, Effort.CONTENDERS, promising);
+        return last.stream().map(Trial::ground).distinct().count() == 1 ? last
+                : Parallel.map(last, trial -> trial.ground() == whole ? trial
+                        : new Trial(whole, List.of(trial.on(whole))).onward(1)).stream().sorted(LEAST).toList();
     }
 
     /**
@@ -53,14 +59,34 @@ record Race(Trial.Ground whole, Trial.Ground brief) {
      */
     private List<Trial> ahead(List<Trial> trials, int most, Predicate<Trial> promising) {
         List<Trial> sorted = trials.stream().filter(trial -> !trial.first().failed()).sorted(LEAST).toList();
-        double reach = sorted.isEmpty() ? 0 : Effort.HOPELESS * sorted.get(0).excess();
-        List<Trial> out = new ArrayList<>(sorted.stream().limit(most).takeWhile(trial -> trial.excess() <= reach).toList());
+        List<Trial> out = new ArrayList<>(alike(sorted).flatMap(same -> near(same, most)).toList());
         sorted.stream().filter(trial -> promising.test(trial) && !out.contains(trial)).forEach(out::add);
         if (out.stream().map(trial -> claims(trial.first())).distinct().count() == 1) {
-            sorted.stream().filter(trial -> !claims(trial.first()).equals(claims(sorted.get(0).first()))).findFirst().ifPresent(out::add);
+            sorted.stream().filter(trial -> !claims(trial.first()).equals(claims(out.get(0).first()))).findFirst().ifPresent(out::add);
         }
         out.sort(LEAST);
         return out;
+    }
+
+    /**
+     * Those that race on the same data: how much of a part is left says nothing of what goes by the clock, which is not in it. Those of
+     * which the first is hopeless on all data are left out.
+     */
+    private Stream<List<Trial>> alike(List<Trial> sorted) {
+        List<List<Trial>> same = Stream.of(whole, brief).distinct()
+                .map(ground -> sorted.stream().filter(trial -> trial.ground() == ground).toList()).filter(some -> !some.isEmpty()).toList();
+        if (same.size() < 2) {
+            return same.stream();
+        }
+        double[] left = same.stream().mapToDouble(some -> Refinement.excess(some.get(0).on(whole).reduced())).toArray();
+        double reach = Effort.HOPELESS * Arrays.stream(left).min().orElseThrow();
+        return IntStream.range(0, left.length).filter(i -> left[i] <= reach).mapToObj(same::get);
+    }
+
+    /** @param same least first */
+    private static Stream<Trial> near(List<Trial> same, int most) {
+        double reach = Effort.HOPELESS * same.get(0).excess();
+        return same.stream().limit(most).takeWhile(trial -> trial.excess() <= reach);
     }
 
     /** Names of what comes to what a fit stands on. */

@@ -58,6 +58,13 @@ class PairSearchTest {
         bothAreNamed(folder, List.of("contact.backlash", "drift.slow"), -4547603284373387860L);
     }
 
+    /** Before a link changes, any second fits that part of the data beside the first as well as the change does. */
+    @Tag("exam")
+    @Test
+    void whatGoesByTheClockRacesOnAllData() throws Exception {
+        bothAreNamed(folder, List.of("coupling.axis", "drift.step"), -5357398452274761350L);
+    }
+
     /** A reflex shows where the other link is ignored; the other link's law only on top of the reflex, since it bends all numbers. */
     @Tag("exam")
     @Test
