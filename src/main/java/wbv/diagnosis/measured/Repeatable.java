@@ -4,13 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 import wbv.body.simulate.Stroke;
 
 /**
  * How much the force of a driven link differs where its stroke repeats itself: chatter, stick-slip, what changes from cycle to
  * cycle. No law of the stroke can explain that, and a sensor's own noise is far below it.
  *
- * <p>Half the mean square difference between nearest neighbours (Rice 1984), in a space of position, velocity and stop
+ * <p>Half the mean square difference between nearest neighbours (Rice 1984), as it would be at no distance, in a space of position, velocity and stop
  * operators of several widths (Prandtl 1928), which stand for what the link remembers. Only the closest quarter of the
  * neighbours counts: the others have not really come back.
  */
@@ -58,8 +59,20 @@ public final class Repeatable {
             }
         }
         pairs.sort(Comparator.comparingDouble(pair -> pair[0]));
-        return Math.sqrt(pairs.stream().limit((long) (CLOSEST * pairs.size())).mapToDouble(pair -> pair[1] / 2).average()
-                .orElse(0));
+        return Math.sqrt(atNone(pairs.subList(0, (int) (CLOSEST * pairs.size()))));
+    }
+
+    /**
+     * Half the mean square difference that is left where neighbours come together: the distance between them makes the rest of it, which
+     * for a force without steps goes with the square of that (the nugget of a variogram: Matheron, Economic Geology 1963).
+     *
+     * @param pairs squared distance and squared difference of each. Not modified.
+     */
+    private static double atNone(List<double[]> pairs) {
+        SimpleRegression line = new SimpleRegression();
+        pairs.forEach(pair -> line.addData(pair[0], pair[1] / 2));
+        double mean = pairs.stream().mapToDouble(pair -> pair[1] / 2).average().orElse(0);
+        return line.getSlope() > 0 ? Math.max(0, line.getIntercept()) : mean;
     }
 
     private static double[][] states(Stroke stroke, int to) {
