@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
@@ -95,8 +96,10 @@ final class Grounds {
         return foretold(fit) < foretold(base()) + Calibration.standard().chance() * evidence().outputs().size();
     }
 
+    private record Foretold(Fitter.State fit) implements Known.Question<Double> {}
+
     private double foretold(Fitter.State fit) {
-        return new SeenErrors(evidence()).of(fit);
+        return evidence().known().once(new Foretold(fit), () -> new SeenErrors(evidence()).of(fit));
     }
 
     /**

@@ -73,20 +73,19 @@ final class Imitations {
     /**
      * What is likelier than the model's numbers alone; empty where nothing is.
      *
-     * @param base that leaves no more than noise
+     * @param base that leaves no more than noise, with its derivatives
      */
     public Optional<Weighed> in(Fitter.State base) {
-        Fitter.State fitted = search.fitter().lookWithSlopes(base.candidate(), base.x(), base.frame());
-        Motion motion = Motion.measured(evidence, fitted.candidate().at(fitted.x()));
-        List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
+        Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
+        List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion));
         double price = price(all);
         // Where no spring may have another stiffness, none imitates anything.
         List<Hypothesis> asked = springs(base).findAny().isEmpty() ? List.of()
                 : all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
-        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream()
+        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, base, motion).scores(asked).stream()
                 .filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
-        List<Fitter.State> fits = likelier(Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)), fitted, price);
-        Fitter.State alone = fits.isEmpty() ? fitted : alone(fitted, fits);
+        List<Fitter.State> fits = likelier(Parallel.map(heard, hypothesis -> fitted(base, hypothesis)), base, price);
+        Fitter.State alone = fits.isEmpty() ? base : alone(base, fits);
         List<Fitter.State> likelier = likelier(fits, alone, price);
         return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(alone, likelier, price)).filter(Imitations::isImitated);
     }

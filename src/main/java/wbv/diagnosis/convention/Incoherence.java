@@ -32,7 +32,7 @@ final class Incoherence {
 
     private final Model model;
     private final Recording recording;
-    private final Map<Set<Channel>, Double> known = new ConcurrentHashMap<>();
+    private final Map<List<Channel>, Double> known = new ConcurrentHashMap<>();
 
     Incoherence(Model model, Recording recording) {
         this.model = model;
@@ -61,7 +61,7 @@ final class Incoherence {
     }
 
     private double least(Channel input, Channel output) {
-        return known.computeIfAbsent(Set.of(input, output), any -> {
+        return known.computeIfAbsent(List.of(input, output), any -> {
             boolean told = List.of(input, output).stream().allMatch(channel -> STEADY.contains(channel.quantity())
                     && Arrays.stream(recording.values(channel)).noneMatch(Double::isNaN));
             Coherence shared = told ? Coherence.of(recording.clock().rate(), Measured.centred(recording.values(input)),

@@ -48,9 +48,14 @@ public record Place(Kind kind, int index) {
         List<Place> out = new ArrayList<>(all(evidence));
         IntStream.range(0, evidence.outputs().size()).mapToObj(o -> new Place(Kind.DEVICE, o)).filter(device -> {
             List<Integer> channels = device.channels(evidence);
-            return channels.size() > 1 && channels.get(0) == device.index && channels.size() < evidence.outputs().size();
+            return channels.size() > 1 && channels.get(0) == device.index && !device.isAllThatMeasures(evidence);
         }).forEach(out::add);
         return out;
+    }
+
+    /** Whether it is a device that makes all outputs: no other sensor is left to tell of it. */
+    public boolean isAllThatMeasures(Evidence evidence) {
+        return kind == Kind.DEVICE && channels(evidence).size() == evidence.outputs().size();
     }
 
     /** Outputs that a sensor or a device makes. */

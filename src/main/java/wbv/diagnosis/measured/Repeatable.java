@@ -11,8 +11,8 @@ import wbv.body.simulate.Stroke;
  * How much the force of a driven link differs where its stroke repeats itself: chatter, stick-slip, what changes from cycle to
  * cycle. No law of the stroke can explain that, and a sensor's own noise is far below it.
  *
- * <p>Half the mean square difference between nearest neighbours (Rice 1984), as it would be at no distance, in a space of position, velocity and stop
- * operators of several widths (Prandtl 1928), which stand for what the link remembers. Only the closest quarter of the
+ * <p>Half the mean square difference between nearest neighbours (Rice 1984), as it would be at no distance, in a space of position,
+ * velocity and stop operators of several widths (Prandtl 1928), which stand for what the link remembers. Only the closest quarter of the
  * neighbours counts: the others have not really come back.
  */
 public final class Repeatable {

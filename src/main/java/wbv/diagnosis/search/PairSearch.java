@@ -57,12 +57,14 @@ public final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
-        return evidence.outputs().size() == 1 ? atOneOutput(single, leaders) : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
+        return evidence.outputs().size() == 1 || Place.ofLast(single).isAllThatMeasures(evidence) ? atOneOutput(single, leaders)
+                : atTwo(single).orElseGet(() -> byPlaces(single, leaders));
     }
 
     /**
      * To one output every place explains everything, so that whatever is added anywhere makes up for what the formula of a law lacks:
-     * beside a law that leaves no more than its form may, nothing is sought.
+     * beside a law that leaves no more than its form may, nothing is sought. Nor does ignoring a device that reads all outputs leave any
+     * that tells of places.
      */
     private Chosen atOneOutput(Fitter.State single, List<Fitter.State> leaders) {
         return single.candidate().last().isLaw() && single.reduced() < Refinement.form(base) ? Chosen.single(single)

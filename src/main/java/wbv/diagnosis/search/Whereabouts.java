@@ -182,7 +182,7 @@ public final class Whereabouts {
                 .toList();
         for (Known.Ignoring found : asked) {
             Evidence blind = whole(found).evidence();
-            Fitter.State without = new Search(blind, (step, share) -> {}).sloped(baseline, whole(found).fit().x());
+            Fitter.State without = whole(found).fit();
             if (without.reduced() < Priors.NOISE) {
                 return Optional.empty();
             }

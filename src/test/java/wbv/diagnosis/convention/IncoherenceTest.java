@@ -1,6 +1,7 @@
 package wbv.diagnosis.convention;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -41,6 +42,21 @@ class IncoherenceTest {
         assertTrue(least > 0.3 && least <= 0.5, "half is noise: " + least);
         assertEquals(0, least(half, TURNED, TRUNK), 0, "of the other sensor");
         assertEquals(least, least(half, new Convention.Exchanged(HEAD, TRUNK), TRUNK), 0, "the name is the trunk's, the noise the head's");
+    }
+
+    /** Each frequency counts as the output has it: what was asked of two channels says nothing of the same the other way round. */
+    @ParameterizedTest
+    @ValueSource(longs = {11, 12, 13})
+    void isNotWhatItIsTheOtherWayRound(long seed) {
+        Random random = new Random(seed);
+        Ride noisy = MeantRides.person(seed, 0.3, Extra.NONE)
+                .reading(HEAD, x -> Arrays.stream(x).map(value -> value + rms(x) * random.nextGaussian()).toArray());
+        Channel base = noisy.model().excitations().get(0);
+        Convention exchanged = new Convention.Exchanged(base, HEAD);
+        Incoherence asked = new Incoherence(noisy.model(), noisy.recording());
+        double first = asked.least(TURNED, List.of(HEAD));
+        assertEquals(least(noisy, exchanged, HEAD), asked.least(exchanged, List.of(HEAD)), 0);
+        assertNotEquals(first, asked.least(exchanged, List.of(HEAD)), 0.01);
     }
 
     /** The load swings on for half a second or more, segments are of two and a half. */
