@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.SensorFault;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
@@ -21,7 +22,7 @@ import wbv.diagnosis.mechanism.SensorQuantised;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
-/** Faults of sensors that show without any fit: dropouts, steps, and a gross bias. */
+/** Faults of sensors that show without any fit: dropouts, steps, and a gross bias or one that drifts. */
 final class PlainFaults {
 
     /** What has no mean in the long run. */
@@ -34,6 +35,10 @@ final class PlainFaults {
     private static final double SURE = 8;
     /** From here on it is gravity, or a unit, and no bias. */
     private static final double ABSURD = 5;
+    /** Parts of a recording in which a zero may be another: enough that three standard deviations of {@link #isSlow} can be missed. */
+    private static final int PARTS = 16;
+    /** Standard deviations by which what drifts differs from what does not. */
+    private static final double SLOW = 3;
 
     private final Evidence evidence;
 
@@ -64,13 +69,58 @@ final class PlainFaults {
             double bias = evidence.measured().mean(o) - shared(o) - modelled[o];
             double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
-            if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
-                double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
-                out.add(new Diagnosis.Named(new SensorBias().word(), where, 0.95, Map.of("bias", bias),
-                        Map.of("bias", Interval.normal(bias, second)), base.reduced()));
+            if (centred && !clipped && Math.abs(bias) < ABSURD) {
+                double[] course = course(o, bias);
+                double range = Arrays.stream(course).max().orElseThrow() - Arrays.stream(course).min().orElseThrow();
+                boolean drifts = range > 2 * bound && isSlow(course);
+                if (drifts || Math.abs(bias) > bound) {
+                    double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
+                    out.add(new Diagnosis.Named(new SensorBias().word(), where, 0.95,
+                            drifts ? Map.of("bias", bias, SensorBias.RANGE, range) : Map.of("bias", bias),
+                            Map.of("bias", Interval.normal(bias, drifts ? range / Math.sqrt(PARTS) : second)), base.reduced()));
+                }
             }
         }
         return out;
+    }
+
+    /**
+     * What an output reads on average in parts of the recording beyond what the others do, in its unit.
+     *
+     * @param bias of the whole
+     */
+    private double[] course(int output, double bias) {
+        Channel own = evidence.outputs().get(output);
+        List<double[]> others = Stream
+                .concat(evidence.outputs().stream(), evidence.model().base().sensors().stream())
+                .filter(other -> !other.equals(own) && alike(own, other)).map(other -> parts(evidence.recording().values(other))).toList();
+        double[] course = parts(evidence.recording().values(own));
+        double[] out = new double[PARTS];
+        Arrays.setAll(out, k -> course[k] - median(others.stream().mapToDouble(parts -> parts[k])));
+        double mean = Arrays.stream(out).filter(Double::isFinite).average().orElse(0);
+        Arrays.setAll(out, k -> bias + (Double.isFinite(out[k]) ? out[k] - mean : 0));
+        return out;
+    }
+
+    /** Means of parts of a series less that of the whole; no number where all of one is lost. */
+    private static double[] parts(double[] x) {
+        double whole = mean(x).orElse(0);
+        double[] out = new double[PARTS];
+        Arrays.setAll(out, k -> mean(Arrays.copyOfRange(x, k * x.length / PARTS, (k + 1) * x.length / PARTS)).orElse(Double.NaN) - whole);
+        return out;
+    }
+
+    /**
+     * Whether what follows is nearer than what does not: the mean square of successive differences over the variance, 2 with a variance of
+     * 4 (n - 2) / (n² - 1) where nothing goes on (von Neumann 1941), less than that by three standard deviations. What a body's motion adds
+     * to means of parts goes the other way: they sum up to nothing.
+     */
+    private static boolean isSlow(double[] course) {
+        double mean = Arrays.stream(course).average().orElseThrow();
+        double square = Arrays.stream(course).map(x -> (x - mean) * (x - mean)).sum();
+        double steps = IntStream.range(1, course.length).mapToDouble(k -> course[k] - course[k - 1]).map(step -> step * step).sum();
+        double n = course.length;
+        return steps < (2 - SLOW * 2 * Math.sqrt((n - 2) / (n * n - 1))) * square;
     }
 
     /**
@@ -122,7 +172,12 @@ final class PlainFaults {
         DoubleStream base = evidence.model().base().sensors().stream().filter(sensor -> alike(own, sensor))
                 .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
                 .mapToDouble(OptionalDouble::getAsDouble);
-        double[] sorted = DoubleStream.concat(DoubleStream.of(0), DoubleStream.concat(others, base)).sorted().toArray();
+        return median(DoubleStream.concat(others, base));
+    }
+
+    /** Of some means and of nothing, the nearer to nothing of two. */
+    private static double median(DoubleStream means) {
+        double[] sorted = DoubleStream.concat(DoubleStream.of(0), means.filter(Double::isFinite)).sorted().toArray();
         double low = sorted[(sorted.length - 1) / 2];
         double high = sorted[sorted.length / 2];
         return Math.abs(low) < Math.abs(high) ? low : high;
