@@ -84,6 +84,24 @@ public final class NumberIntervals {
         return state.held()[i] ? 0 : Math.abs(shift) / Math.hypot(deviation(i), open(state.candidate().knobs().get(i), masses));
     }
 
+    /**
+     * The same where one mass is taken as it was given and sets the scale of all.
+     *
+     * @param i a number that is a factor of what was given
+     * @param held the mass, likewise
+     */
+    double surenessBeside(int i, int held) {
+        double[] less = new double[curvature.length];
+        less[i] = 1;
+        less[held]--;   // nothing is off itself
+        return state.held()[i] || i == held ? 0 : Math.abs(state.x()[i] - state.x()[held]) / deviation(less);
+    }
+
+    /** The same of the heaviest mass, which a fit holds. */
+    double surenessOfHeaviest(int held) {
+        return Math.abs(state.x()[held]) / deviation(held);
+    }
+
     /** What no cost shows of a number that is found as a factor [1]: the scale of the masses, or what force and motion are measured by. */
     private double open(Knob knob, MassScale masses) {
         return isOfModel(knob) ? Math.hypot(masses.deviation(), gains) : 0;
@@ -98,6 +116,11 @@ public final class NumberIntervals {
     private double deviation(int i) {
         double[] unit = new double[curvature.length];
         unit[i] = 1;
+        return deviation(unit);
+    }
+
+    /** The same of a sum of coordinates, each so many times. */
+    private double deviation(double[] unit) {
         double[] solved = DampedEquations.solve(curvature, unit, state.held(), 0);
         double white = ScalarProduct.of(unit, solved);
         return Math.sqrt(Math.max(0, white) * Math.max(Math.max(1, state.reduced()), scores.ratio(solved, white)));
