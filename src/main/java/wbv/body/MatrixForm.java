@@ -46,7 +46,7 @@ final class MatrixForm {
         JsonPlace matrices = at.child("matrices");
         matrices.allow(Set.of("coordinates", "M", "C", "K", "R", "sensors", "places"));
         JsonPlace base = at.child("base");
-        base.allow(Set.of("name", "sensors"));
+        base.allow(Set.of("name", "sensors", ModelFile.FILTER));
         axes = base.texts("sensors").stream().map(name -> base.guard(() -> Channel.parse(name))).toList();
         List<String> coordinates = matrices.texts("coordinates");
         int n = coordinates.size();
@@ -81,7 +81,8 @@ final class MatrixForm {
         MatrixForm form = new MatrixForm(at);
         JsonPlace base = at.child("base");
         Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), form.axes.stream().findFirst(), 0,
-                form.axes.isEmpty() ? form.axes : form.axes.subList(1, form.axes.size()), Optional.empty()));
+                form.axes.isEmpty() ? form.axes : form.axes.subList(1, form.axes.size()), Optional.empty(),
+                ModelFile.filter(base)));
         return ModelFile.model(at, ground, form.bodies(), form.links(ground.name()), form.sensors());
     }
 

@@ -72,8 +72,19 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param mass    what of the sitter moves with it rigidly [kg], &gt;= 0: part of what it carries, of no motion
      * @param further what measures its motion along further axes, angles among them
      * @param at      where its sensor is, in a plane; empty where motions are small
+     * @param filter  which that sensor passed, and all others did too; empty where nothing is said of it
      */
-    public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further, Optional<Point> at) {
+    public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further, Optional<Point> at,
+            Optional<SensorFilter> filter) {
+        /**
+         * A base of whose sensor's filter nothing is said.
+         *
+         * @param mass [kg]
+         */
+        public Base(String name, Optional<Channel> sensor, double mass, List<Channel> further, Optional<Point> at) {
+            this(name, sensor, mass, further, at, Optional.empty());
+        }
+
         /**
          * A base that moves along one axis.
          *
@@ -93,6 +104,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             further = List.copyOf(further);
             if (sensor.isEmpty() && !further.isEmpty()) {
                 throw new IllegalArgumentException("the base '" + name + "' has further sensors but no first one");
+            }
+            if (sensor.isEmpty() && filter.isPresent()) {
+                throw new IllegalArgumentException("the base '" + name + "' has an anti-alias filter but no sensor");
             }
             if (sensor.map(further::contains).orElse(false) || Set.copyOf(further).size() < further.size()) {
                 throw new IllegalArgumentException("a sensor of the base '" + name + "' is named twice: " + further);
@@ -483,6 +497,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
                 }
             }
         }
+        if (bodies.get(0).fixed() && base.filter().isPresent()) {
+            throw new IllegalArgumentException("driven links are told as they are, past no anti-alias filter");
+        }
         if (bodies.get(0).fixed() && (!base.further().isEmpty() || !sensors.isEmpty())) {
             throw new IllegalArgumentException(
                     "driven links have one stroke, and sensors that read their force: no further axes, no further sensors");
@@ -508,6 +525,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     /** The same, declared to be that. */
     public Model declaredAs(Subject subject) {
         return new Model(name, source, axis, base, bodies, links, inputs, Optional.of(subject), sensors);
+    }
+
+    /** The same, its sensors behind that filter; as it is where none is given. */
+    public Model behind(Optional<SensorFilter> filter) {
+        Base passed = new Base(base.name(), base.sensor(), base.mass(), base.further(), base.at(), filter.or(base::filter));
+        return new Model(name, source, axis, passed, bodies, links, inputs, declared, sensors);
     }
 
     /** Whether it is a rig by what its user says or, where nobody does, by what it holds. */

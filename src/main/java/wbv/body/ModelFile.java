@@ -40,6 +40,8 @@ public final class ModelFile {
     /** Of the sets of values that a fault of one suggests. */
     private static final int NEAREST = 3;
     private static final String STIFFENING = "cubic_per_m2";
+    /** The key of a base's filter, in every form. */
+    static final String FILTER = "anti_alias";
     /** NaN is read as a number, so that the value that may not be one is named. */
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
@@ -90,7 +92,7 @@ public final class ModelFile {
     private static Model ofMotions(JsonPlace at) {
         at.allow(Set.of("name", "source", "subject", "axis", "base", "bodies", "links", "inputs", "sensors"));
         JsonPlace base = at.child("base");
-        base.allow(Set.of("name", "sensor", "mass_kg", "further", "at_m"));
+        base.allow(Set.of("name", "sensor", "mass_kg", "further", "at_m", FILTER));
         List<Model.Body> bodies = new ArrayList<>();
         for (JsonPlace body : at.list("bodies")) {
             body.allow(Set.of("name", "mass_kg", "mass_within", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden",
@@ -126,7 +128,8 @@ public final class ModelFile {
         }
         List<Channel> further = base.texts("further").stream().map(name -> base.guard(() -> Channel.parse(name))).toList();
         Model.Base ground = base.guard(
-                () -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further, base.point("at_m")));
+                () -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further, base.point("at_m"),
+                        filter(base)));
         return model(at, ground, bodies, links, sensors);
     }
 
@@ -188,6 +191,17 @@ public final class ModelFile {
 
     static List<SensorFault> faults(JsonPlace at) {
         return at.optionalList("faults").stream().map(fault -> record(fault, "fault", SensorFault.class)).toList();
+    }
+
+    /** The filter that a base's sensor passed, if its user says so. */
+    static Optional<SensorFilter> filter(JsonPlace base) {
+        if (!base.has(FILTER)) {
+            return Optional.empty();
+        }
+        JsonPlace at = base.child(FILTER);
+        at.allow(Set.of("of_rate", "gain"));
+        return Optional.of(at.guard(() -> new SensorFilter(Arrays.stream(at.numbers("of_rate")).boxed().toList(),
+                Arrays.stream(at.numbers("gain")).boxed().toList())));
     }
 
     /** How well a mass is known, if its user says so. */
@@ -298,6 +312,11 @@ public final class ModelFile {
             model.base().further().forEach(channel -> further.add(channel.toString()));
         }
         putPoint(base, model.base().at());
+        model.base().filter().ifPresent(filter -> {
+            ObjectNode passed = base.putObject(FILTER);
+            filter.ofRate().forEach(passed.putArray("of_rate")::add);
+            filter.gain().forEach(passed.putArray("gain")::add);
+        });
         ArrayNode bodies = root.putArray("bodies");
         for (Model.Body body : model.bodies()) {
             ObjectNode node = bodies.addObject();

@@ -38,7 +38,7 @@ final class PlaneForm {
             throw at.fault("'plane' must be \"xz\": x forward, z upward, angles about y");
         }
         JsonPlace base = at.child("base");
-        base.allow(Set.of("name", "at_m", "sensors", "mass_kg"));
+        base.allow(Set.of("name", "at_m", "sensors", "mass_kg", ModelFile.FILTER));
         ground = base.text("name");
         origin = point(base, "at_m");
         for (String name : base.texts("sensors")) {
@@ -61,7 +61,7 @@ final class PlaneForm {
         JsonPlace base = at.child("base");
         List<Channel> axes = List.copyOf(form.moved.values());
         Model.Base ground = base.guard(() -> new Model.Base(form.ground, axes.stream().findFirst(), base.numberOr("mass_kg", 0),
-                axes.isEmpty() ? axes : axes.subList(1, axes.size()), Optional.of(form.origin)));
+                axes.isEmpty() ? axes : axes.subList(1, axes.size()), Optional.of(form.origin), ModelFile.filter(base)));
         return ModelFile.model(at, ground, form.bodies, form.links, form.sensors);
     }
 

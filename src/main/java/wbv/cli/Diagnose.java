@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.PublishedModels;
+import wbv.body.simulate.RollOff;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
@@ -147,7 +148,7 @@ final class Diagnose implements Callable<Integer> {
                     : Diagnoser.examine(new Question(measured.get(), rides.recording(), column, known, recording.map().isPresent())
                             .proved(rides.provedFrom()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
-            AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
+            AtomicFile.write(folder.file("model.json"), ModelFile.text(behindFilter(diagnosed)));
             Prediction.write(diagnosed.predicted().earlier(rides.moved()), folder.file("prediction.csv"));
             Optional<FoundForces> forces = diagnosed.forces();
             if (forces.isPresent()) {
@@ -160,6 +161,12 @@ final class Diagnose implements Callable<Integer> {
                     wrote(forces.isPresent()), out.json("diagnosis.json"));
         }
         return 0;
+    }
+
+    /** The completed model with the filter of the sensors behind which it was fitted: by itself it does the same then. */
+    private static Model behindFilter(Diagnosed diagnosed) {
+        Model found = diagnosed.diagnosis().model();
+        return found.behind(RollOff.of(found, diagnosed.evidence.recording()));
     }
 
     private Model declared(Model read) {

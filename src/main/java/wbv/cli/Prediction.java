@@ -75,7 +75,7 @@ final class Prediction {
         if (model.outputs().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be written");
         }
-        double[][] outputs = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly());
+        double[][] outputs = new Simulator(Excitation.asDeclared(model, recording, recording.length())).outputs(model.assembly());
         List<Channel> channels = model.outputs();
         try (RecordingWriter writer = RecordingWriter.create(file, channels, recording.metadata())) {
             double[] row = new double[1 + channels.size()];

@@ -42,6 +42,12 @@ public enum ExportFormat {
      * @return what there is to say about it, in one line; empty for nothing
      */
     public String write(Model model, Path out) throws IOException {
+        String remark = written(model, out);
+        boolean past = this == PYTHON || model.base().filter().isEmpty();
+        return past ? remark : remark + (remark.isEmpty() ? "" : "; ") + "without the sensors' anti-alias filter, which looks ahead";
+    }
+
+    private String written(Model model, Path out) throws IOException {
         if (model.outputs().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be read");
         }

@@ -217,10 +217,11 @@ final class PythonText {
         }
         if (model.inputs().isEmpty()) {
             line("    x = moved_base(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString())
-                    + (model.isRig() ? ", on_rig=True)" : ")"));
+                    + model.base().filter().map(filter -> ", of_rate=" + filter.ofRate() + ", gain=" + filter.gain()).orElse("") + ")");
         } else {
             line("    still = np.zeros(len(channels[" + quoted(model.excitations().get(0).toString()) + "]))");
-            line("    x = Excitation(rate, still, channels, finer=4)");
+            line("    x = Excitation(rate, still, channels, finer=4, pushing=["
+                    + model.excitations().stream().map(channel -> quoted(channel.toString())).collect(Collectors.joining(", ")) + "])");
         }
     }
 

@@ -14,35 +14,76 @@ def covering(least):
         n += 2
 
 
+REACH = 16  # samples: the longest gap that is filled by what the samples about it tell, and those asked on either side
+
+
+def gaps(lost):
+    """First sample and the one after the last of each run of lost ones."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], lost, [False]]).astype(int)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist()))
+
+
 def bridged(values):
-    """Samples with gaps bridged: one or two samples by the polynomial through three on either side, longer gaps by straight lines."""
+    """Lost samples as those about them make them likeliest: the linear combination of least mean square error (Wiener 1949).
+
+    By the series' own autocorrelation, found in a few rounds; a straight line over what is longer than REACH."""
     values = np.asarray(values, float)
-    known = np.flatnonzero(~np.isnan(values))
-    if len(known) == len(values):
+    lost = np.isnan(values)
+    if not lost.any():
         return values
+    known = np.flatnonzero(~lost)
     if len(known) == 0:
         return np.zeros(len(values))
     out = np.interp(np.arange(len(values)), known, values[known])
-    for last, following in zip(known[:-1], known[1:]):
-        about = list(range(last - 2, last + 1)) + list(range(following, following + 3))
-        brief = 1 < following - last <= 3 and about[0] >= 0 and about[-1] < len(values)
-        if brief and not np.isnan(values[about]).any():
-            for at in range(last + 1, following):
-                weights = [math.prod((at - other) / (node - other) for other in about if other != node) for node in about]
-                out[at] = sum(weight * values[node] for weight, node in zip(weights, about))
+    far = np.zeros(len(values), bool)
+    for begin, end in gaps(lost):
+        far[begin:end] = end - begin > REACH
+    for _ in range(3):
+        out = filled(out, lost, far)
     return out
+
+
+def filled(out, lost, far):
+    """A round of it. far: what is lost in gaps too long."""
+    mean = out[~far].mean()
+    centred = np.where(far, 0, out - mean)
+    correlation = np.array([centred[lag:] @ centred[:len(out) - lag] for lag in range(3 * REACH + 1)])
+    correlation[0] *= 1 + 1e-10
+    if not correlation[0] > 0:
+        return out
+    following = out.copy()
+    for begin, end in gaps(lost):
+        if end - begin > REACH or begin == 0 or end == len(out):
+            continue
+        near = [i for i in [*range(begin - REACH, begin), *range(end, end + REACH)] if 0 <= i < len(out) and not lost[i]]
+        among = correlation[np.abs(np.subtract.outer(near, near))]
+        towards = correlation[np.abs(np.subtract.outer(near, range(begin, end)))]
+        following[begin:end] = mean + np.linalg.solve(among, towards).T @ (out[near] - mean)
+    return following
+
+
+def resting(values, pause):
+    """The same, at its mean where more samples than that are lost together, within REACH of what was measured."""
+    values = np.array(values, float)
+    lost = np.isnan(values)
+    mean = values[~lost].mean() if not lost.all() else 0.0
+    for begin, end in gaps(lost):
+        if begin > 0 and end < len(values) and end - begin + 1 > max(pause, 2 * REACH):
+            values[begin + REACH:end - REACH] = mean
+    return bridged(values)
 
 
 class Excitation:
     """What drives the model: spectra over a record padded with silence, of lines below 45 % of the sampling rate.
 
     rate [Hz], base: its acceleration [m/s^2], channels: everything recorded, by name; gain: of the sensors' anti-alias filter by frequency
-    in units of the rate; finer: least points of the free run for each sample."""
+    in units of the rate; finer: least points of the free run for each sample; pushing: measured forces that drive the model, by name."""
 
-    def __init__(self, rate, base, channels, gain=None, finer=2):
+    def __init__(self, rate, base, channels, gain=None, finer=2, pushing=()):
         self.rate = rate
         self.samples = len(base)
         self.channels = channels
+        self.pushing = pushing
         self.padded = covering(int(self.samples + 4 * rate))
         wanted = math.ceil(240 / rate) * 2 - 1
         self.oversampling = 1 if finer == 1 else max(finer, 1 << (wanted.bit_length() - 1))
@@ -58,7 +99,8 @@ class Excitation:
     def channel(self, name):
         if name not in self.channels:
             raise ValueError("the model needs the channel " + name + ", which the input lacks")
-        return self.spectrum(bridged(self.channels[name]))
+        values = self.channels[name]
+        return self.spectrum(resting(values, int(2 * self.rate)) if name in self.pushing else bridged(values))
 
     def spectrum(self, series):
         return np.fft.rfft(series, self.padded)[:len(self.omega)]
@@ -98,40 +140,16 @@ def over_j_omega(x, spectrum):
     return out
 
 
-def filter_of_sensor(channels, name):
-    """Gain of the anti-alias filter of the base's sensor, as its noise above the excitation shows it (all axes of the place)."""
-    length = 512
-    location, quantity, _ = name.split(".")
-    window = (1 - np.cos(2 * math.pi * np.arange(length) / length)) / 2
-    flat = slice(int(0.25 * length), int(0.37 * length))
-    density = np.zeros(length // 2 + 1)
-    for other, values in channels.items():
-        if other.split(".")[:2] != [location, quantity]:
-            continue
-        power = []
-        for begin in range(0, len(values) - length + 1, length // 2):
-            segment = np.asarray(values[begin:begin + length], float)
-            if np.isfinite(segment).all():
-                power.append(np.abs(np.fft.rfft((segment - segment.mean()) * window)) ** 2)
-        if power:
-            own = np.sum(power, axis=0)
-            own[[0, -1]] /= 2
-            density += own / own[flat].mean()
-    level = density[flat].mean()
-    gain = np.ones(len(density))
-    for k in range(int(0.37 * length), len(density)):
-        if level > 0:
-            gain[k] = math.sqrt(min(1, density[max(0, k - 2):k + 3].mean() / level))
-    return lambda relative: np.interp(relative * length, np.arange(len(gain)), gain)
+def moved_base(rate, channels, name, of_rate=(0.5,), gain=(1.0,)):
+    """The excitation by the base's measured motion: acceleration less its mean, or velocity or position turned into acceleration.
 
-
-def moved_base(rate, channels, name, on_rig=False):
-    """The excitation by the base's measured motion: acceleration less its mean, or velocity or position turned into acceleration."""
+    gain: what the sensors' anti-alias filter lets through, at frequencies of_rate over the rate."""
     values = bridged(channels[name])
     quantity = name.split(".")[1]
+    passed = lambda relative: np.interp(relative, of_rate, gain)
     if quantity == "acc":
-        return Excitation(rate, values - values.mean(), channels, None if on_rig else filter_of_sensor(channels, name))
-    still = Excitation(rate, np.zeros(len(values)), channels)
+        return Excitation(rate, values - np.nanmean(channels[name]), channels, passed)
+    still = Excitation(rate, np.zeros(len(values)), channels, passed)
     last = len(values) - 1
     line = values[0] + (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
     levelled = still.spectrum(values - line)

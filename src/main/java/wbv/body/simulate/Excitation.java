@@ -10,6 +10,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import wbv.body.Model;
 import wbv.body.Row;
+import wbv.body.SensorFilter;
 import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.recording.Channel;
@@ -99,7 +100,7 @@ public final class Excitation {
         return Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1);
     }
 
-    private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
+    private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<SensorFilter> filter, int oversampling,
             Optional<Stroke> stroke, boolean forced) {
         this.rate = rate;
         this.samples = base[0].length;
@@ -160,18 +161,30 @@ public final class Excitation {
 
     /**
      * The input that a recording holds for a model: its base's acceleration, lost samples filled, mean removed, and every other channel; a
-     * measured force is at its mean in pauses. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to
-     * hold noise alone. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
+     * measured force is at its mean in pauses. Past the filter of the sensors that {@link RollOff#of} finds in all of the recording: for
+     * comparing with what they recorded. A base's velocity or position is turned into its acceleration; measured forces leave the base at
+     * rest.
      *
      * @param samples how much of the recording, from its start
      * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
      */
     public static Excitation of(Model model, Recording recording, int samples) {
-        return uniform(model, recording, samples).leaping(recording.leaps());
+        return uniform(model, recording, samples, RollOff.of(model, recording)).leaping(recording.leaps());
+    }
+
+    /**
+     * The same past no filter but the one that the model declares: what comes of it goes by the model and the channels that it takes,
+     * whatever else was recorded.
+     *
+     * @param samples how much of the recording, from its start
+     * @throws DataFault likewise
+     */
+    public static Excitation asDeclared(Model model, Recording recording, int samples) {
+        return uniform(model, recording, samples, model.base().filter()).leaping(recording.leaps());
     }
 
     /** On a clock that never leaps. */
-    private static Excitation uniform(Model model, Recording recording, int samples) {
+    private static Excitation uniform(Model model, Recording recording, int samples, Optional<SensorFilter> filter) {
         double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
@@ -189,9 +202,8 @@ public final class Excitation {
         }
         Excitation still = new Excitation(rate, new double[samples], Map.of());
         List<Moved> moved = model.base().sensors().stream().map(sensor -> still.moved(recording, sensor, sensor.equals(input))).toList();
-        boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
-        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others,
-                filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
+        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others, filter, Math.max(2, finer(rate)),
+                Optional.empty(), false);
         return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new),
                 moved.stream().map(Moved::track).toArray(double[][]::new), plain.others, plain.recorded, false, Leaps.NONE,
                 Collections.emptySortedMap());
