@@ -193,6 +193,10 @@ final class Live implements Callable<Integer> {
         try {
             run.run();
             live.finish();
+            if (live.rows() == 0) {
+                throw DataFault.in(live.source(), live.lines() == 0 ? "is empty: no line came" : "no row of samples is among its "
+                        + live.lines() + (live.lines() == 1 ? " line" : " lines"));
+            }
             if (stays) {
                 say("The stream has ended; the page stays until wbv is ended (Ctrl-C).");
                 Thread.sleep(Long.MAX_VALUE);

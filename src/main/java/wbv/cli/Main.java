@@ -88,7 +88,7 @@ public final class Main implements Runnable {
         CommandLine command = fault.getCommandLine();
         command.getErr().println("wbv: " + OneLine.of(fault.getMessage()));
         if (!CommandLine.UnmatchedArgumentException.printSuggestions(fault, command.getErr())) {
-            command.getErr().println("Try 'wbv " + (command.getParent() == null ? "" : command.getCommandName() + " ") + "--help'.");
+            command.getErr().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
         }
         return CommandLine.ExitCode.USAGE;
     }
@@ -107,7 +107,7 @@ public final class Main implements Runnable {
         if (fault.getClass() == IOException.class) { // the system's own words, as where a disk is full or taken away; no parser's fault
             boolean folder = "Is a directory".equals(fault.getMessage()); // said by a read alone
             command.getErr().println("wbv: " + OneLine.of(folder ? "a folder is named where a file is needed"
-                    : asked.<Object>matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
+                    : out(asked).orElse("results") + ": " + fault.getMessage()));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");
@@ -151,12 +151,18 @@ public final class Main implements Runnable {
         return file + ": " + (fault.getReason() == null ? "cannot be read or written" : fault.getReason());
     }
 
+    /** Where results were to go, as it was asked. */
+    private static Optional<String> out(ParseResult asked) {
+        return asked.hasMatchedOption("--out") ? asked.matchedOption("--out").originalStringValues().stream().findFirst()
+                : Optional.empty();
+    }
+
     /** A file of results by the name that it was to have. */
     private static String named(String file, ParseResult asked) {
         if (file == null || !Unfinished.isIn(Path.of(file))) {
             return file;
         }
-        Path out = Path.of(asked.matchedOptionValue("--out", Path.of("out")).toString());
+        Path out = Path.of(out(asked).orElse("out"));
         Path name = Path.of(file).getFileName();
         return Unfinished.isIn(name) ? out.toString() : out.resolve(name).toString();
     }

@@ -362,7 +362,8 @@ public final class LiveStream implements LineSource.Receiver {
         return run;
     }
 
-    String source() {
+    /** Where samples come from, as {@link #begin} was told. */
+    public synchronized String source() {
         return source;
     }
 

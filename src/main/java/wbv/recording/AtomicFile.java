@@ -5,6 +5,7 @@ import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,18 +35,32 @@ public final class AtomicFile implements Closeable {
     /**
      * Begins a file; one that is there stays until the end.
      *
-     * @throws FileSystemException naming the file, if it cannot be written
+     * @throws DataFault naming the file, if its folder is missing or takes no file
+     * @throws FileSystemException naming the file, if it is something else than a file
      */
     public static AtomicFile begin(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new FileSystemException(file.toString(), null, "is no plain file; choose another name");
         }
-        Unfinished unfinished = Unfinished.in(file.toAbsolutePath().getParent());
+        Unfinished unfinished = beside(file);
         try {
             return new AtomicFile(file, unfinished, Files.newOutputStream(unfinished.path()));
         } catch (IOException e) {
             unfinished.close();
             throw e;
+        }
+    }
+
+    /** The hidden name is nobody's business: what is wrong with it is told of the file. */
+    private static Unfinished beside(Path file) throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        try {
+            return Unfinished.in(folder);
+        } catch (AccessDeniedException denied) {
+            throw DataFault.in(file.toString(), "may not be written; check the folder's permissions", denied);
+        } catch (FileSystemException wrong) {
+            throw DataFault.in(file.toString(), Files.isDirectory(folder) ? "cannot be written: " + Unfinished.why(wrong)
+                    : "there is no folder to write it in", wrong);
         }
     }
 

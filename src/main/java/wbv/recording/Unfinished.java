@@ -8,6 +8,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -117,6 +118,11 @@ public final class Unfinished implements Closeable {
             }
         }
         return false;
+    }
+
+    /** Why nothing could be begun in a folder, without the name that was tried. */
+    public static String why(FileSystemException wrong) {
+        return wrong.getReason() == null ? "its folder takes no files" : wrong.getReason();
     }
 
     /** Where to write. Nothing is there yet. */

@@ -64,7 +64,7 @@ public final class OutputFolder implements Closeable {
         } catch (AccessDeniedException e) {
             throw DataFault.in(existing.toString(), "no permission to write here; choose another folder for the results", e);
         } catch (IOException e) {
-            String why = e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : e.getMessage();
+            String why = e instanceof FileSystemException file ? Unfinished.why(file) : e.getMessage();
             throw DataFault.in(existing.toString(), "cannot be written to (" + why + "); choose another folder for the results", e);
         }
     }

@@ -22,6 +22,8 @@ public final class TaskRunner {
     /** The program is at fault. */
     public static final int OUR_FAULT = 3;
 
+    /** Before a line that says what is wrong, as of every command. */
+    private static final String WHOSE = "wbv: ";
     private static final String INDENT = "  caused by ";
 
     private TaskRunner() {}
@@ -30,7 +32,7 @@ public final class TaskRunner {
         AdmittedClasses.enforce();
         int code = run(String.join(" ", words), System.out, System.err);
         if (code == DONE && System.out.checkError()) {
-            System.err.println("standard output: cannot be written");
+            System.err.println(WHOSE + "standard output: cannot be written");
             code = DATA_FAULT;
         }
         System.exit(code);
@@ -46,7 +48,7 @@ public final class TaskRunner {
      */
     public static int run(String task, PrintStream out, PrintStream err) {
         if (task.isBlank()) {
-            err.println("a task is needed, such as: wbv.task.TrackBody -s (wbv.stream.RigStream -r 7)");
+            err.println(WHOSE + "a task is needed, such as: wbv.task.TrackBody -s (wbv.stream.RigStream -r 7)");
             return WRONG_USAGE;
         }
         MainTask parsed;
@@ -68,15 +70,15 @@ public final class TaskRunner {
     private static int failure(RuntimeException failed, PrintStream err) {
         for (Throwable cause = failed; cause != null; cause = cause.getCause()) {
             if (cause instanceof DataFault) {
-                err.println(message(cause));
+                err.println(WHOSE + message(cause));
                 return DATA_FAULT;
             }
             if (cause instanceof UncheckedIOException file) {
-                err.println(message(file.getCause()));
+                err.println(WHOSE + message(file.getCause()));
                 return DATA_FAULT;
             }
             if (cause instanceof IllegalArgumentException) {
-                err.println(message(cause));
+                err.println(WHOSE + message(cause));
                 return WRONG_USAGE;
             }
         }
@@ -95,7 +97,7 @@ public final class TaskRunner {
     }
 
     private static void explain(String what, Throwable failure, PrintStream err) {
-        err.println(what + ": " + message(failure));
+        err.println(WHOSE + what + ": " + message(failure));
         for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
             err.println(INDENT + message(cause));
         }

@@ -7,8 +7,6 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -143,13 +141,7 @@ public final class TrackFile implements Closeable {
         Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
                 + f.name().toLowerCase(Locale.ROOT))).findFirst()
                 .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
-        try {
-            return new TrackFile(path, format, bodies, provenance, exact);
-        } catch (NoSuchFileException noFolder) {
-            throw DataFault.in(path.toString(), "there is no folder to write it in", noFolder);
-        } catch (AccessDeniedException denied) {
-            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
-        }
+        return new TrackFile(path, format, bodies, provenance, exact);
     }
 
     /**

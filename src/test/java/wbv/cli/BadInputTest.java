@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
@@ -99,6 +100,27 @@ class BadInputTest {
         assertEquals("mine", Files.readString(file));
     }
 
+    /** Of every kind of result: the name that was asked for, and no other. */
+    @ParameterizedTest
+    @ValueSource(strings = {"convert data/arff/one-dof-linear.arff --out %s.csv", "map %t --out %s.json",
+        "export wei-griffin-1998-1dof --to python --out %s.py", "export wei-griffin-1998-1dof --to mujoco --out %s.xml",
+        "simulate seconds=1 --out %s.csv", "analyze data/arff/one-dof-linear.arff --out %s"})
+    void whereNothingCanBeWritten(String command) throws IOException {
+        Path table = Files.writeString(folder.resolve("table.csv"), "time,ax\n" + "0.01,1\n0.02,2\n0.03,1\n0.04,3\n");
+        for (Path room : List.of(folder.resolve("missing"), Path.of("/proc"))) {
+            if (command.endsWith(" %s") && Files.notExists(room) || !Files.isDirectory(Path.of("/proc/self"))) {
+                continue;   // folders are made
+            }
+            Path out = room.resolve("result");
+            Run run = Run.of(command.replace("%s", out.toString()).replace("%t", table.toString()).split(" "));
+            assertEquals(1, run.code(), run.err());
+            assertTrue(run.err().matches("wbv: (" + out + "\\.\\w+|" + room + "): .*\\R") && !run.err().contains(".wbv-"), run.err());
+            boolean file = !command.endsWith(" %s");
+            assertTrue(!file || run.err().contains(Files.exists(room) ? "cannot be written" : "there is no folder to write it in"),
+                    run.err());
+        }
+    }
+
     @Test
     void noPermissionToWrite() throws IOException {
         Path locked = Files.createDirectory(folder.resolve("locked"));
@@ -125,6 +147,16 @@ class BadInputTest {
         try (Stream<Path> left = Files.list(folder)) {
             assertEquals(0, left.count());
         }
+    }
+
+    @Test
+    void theWholeCommandIsNamed() {
+        for (String command : List.of("states apply", "states train", "net predict", "analyze", "states", "net")) {
+            Run run = Run.of(command.split(" "));
+            assertEquals(2, run.code(), command);
+            assertTrue(run.err().contains("Try 'wbv " + command + " --help'."), run.err());
+        }
+        assertTrue(Run.of().err().contains("Try 'wbv --help'."));
     }
 
     @Test

@@ -71,6 +71,15 @@ class LiveTest {
         assertTrue(Files.exists(folder.resolve("state/state-2.bin")), "kept");
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"'' | is empty", "t,seat.acc.z | no row of samples is among its 1 line"})
+    void aStreamThatEndsWithoutARowIsToldSo(String text, String said) throws IOException {
+        Path file = Files.writeString(folder.resolve("rows.csv"), text);
+        Run run = Run.of("live", file.toString());
+        assertEquals(1, run.code(), run.err());
+        assertTrue(run.err().startsWith("wbv: " + file + ": " + said), run.err());
+    }
+
     @Test
     void whereNobodyReadsTheLinesTheStreamEnds() {
         Run run = Run.into(new OutputStream() {

@@ -144,6 +144,7 @@ class TaskTest {
     void failuresAreToldAsTheyAre(int code, String task, String said) {
         assertEquals(code, run(task.trim()), err::toString);
         assertTrue(err.toString().contains(said.trim()), err::toString);
+        assertTrue(err.toString().startsWith("wbv: "), err::toString);
         assertEquals("", out.toString());
     }
 

@@ -7,9 +7,7 @@ import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -122,14 +120,8 @@ public final class RecordingWriter implements Closeable {
         if (Files.isDirectory(path)) {
             throw DataFault.in(path.toString(), "is a directory; name a file");
         }
-        try {
-            return kind.isPresent() ? new RecordingWriter(path, channels, metadata, kind.get())
-                    : new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
-        } catch (NoSuchFileException missing) {
-            throw DataFault.in(path.toString(), "there is no folder to write it in", missing);
-        } catch (AccessDeniedException denied) {
-            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
-        }
+        return kind.isPresent() ? new RecordingWriter(path, channels, metadata, kind.get())
+                : new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
     }
 
     /** Writes a whole recording, and its sidecar beside it unless nothing is known and none is there. */
