@@ -3,6 +3,7 @@ package wbv.recording;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Rows whose every value some sensor could have measured. What lies beyond is damage, or in another unit: it is refused where it
@@ -63,6 +64,11 @@ public final class BoundedReader implements RowReader {
     @Override
     public long passedOver() {
         return rows.passedOver();
+    }
+
+    @Override
+    public OptionalDouble origin() {
+        return rows.origin();
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * A recording read row by row, in the order of the file, with memory that does not grow with its length.
@@ -41,6 +42,13 @@ public interface RowReader extends Closeable {
     /** Rows before the first sample that the sensor sent without having measured, and that {@link #read} gives none of. */
     default long passedOver() {
         return 0;
+    }
+
+    /**
+     * What a calendar said at {@code t = 0}, in seconds from the beginning of 1970 on [s], where rows are dated: known once one was read.
+     */
+    default OptionalDouble origin() {
+        return OptionalDouble.empty();
     }
 
     /** The sensor's own counter or clock that {@code t} was made from, where it was: holes in it are packets lost. */

@@ -3,6 +3,8 @@ package wbv.recording.format;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import wbv.recording.DataFault;
 import wbv.recording.Decimal;
 
@@ -22,6 +24,10 @@ final class Cells {
     private final char separator;
     private final char point;
     private final boolean word;
+    /** Of the time's column where it may hold dates and times; its first cell tells which it holds. */
+    private Optional<Timestamps> stamps = Optional.empty();
+    private boolean numbered;
+    private boolean stamped;
     private int wordFrom;
     private int wordTo;
 
@@ -35,6 +41,17 @@ final class Cells {
         this.separator = separator;
         this.word = Arrays.stream(slots).anyMatch(slot -> slot == WORD);
         this.point = separator == ',' ? '.' : ',';
+    }
+
+    /** Reads dates and times where the column of slot 0 holds them. */
+    Cells stamped() {
+        stamps = Optional.of(new Timestamps());
+        return this;
+    }
+
+    /** See {@link Timestamps#origin}; empty too where times are numbers. */
+    OptionalDouble origin() {
+        return stamps.map(Timestamps::origin).orElseGet(OptionalDouble::empty);
     }
 
     /**
@@ -114,11 +131,22 @@ final class Cells {
             return Double.NaN;
         }
         try {
+            if (slots[column] == 0 && stamps.isPresent()) {
+                return time(stamps.get(), text, from, to);
+            }
             return Decimal.parse(text, from, to, point);
         } catch (NumberFormatException notNumber) {
-            throw new DataFault("column " + columns.get(column) + " must be a finite number, or empty where it is missing: '"
+            throw new DataFault("column " + columns.get(column) + " must be "
+                    + (stamped ? "a date and time as before" : "a finite number, or empty where it is missing") + ": '"
                     + shortened(text, from, to) + "'");
         }
+    }
+
+    private double time(Timestamps clock, byte[] text, int from, int to) {
+        stamped |= !numbered && Timestamps.begins(text, from, to);
+        double time = stamped ? clock.seconds(text, from, to) : Decimal.parse(text, from, to, point);
+        numbered |= !stamped;
+        return time;
     }
 
     private static String shortened(byte[] text, int from, int to) {

@@ -42,7 +42,7 @@ final class CsvFormat implements Format {
         Metadata metadata = context.metadata(Provenance.parse(comments));
         NamedColumns columns = NamedColumns.of(source.name(), lines.line(), names, below, context.sidecar().units(), metadata.rate(),
                 ADVICE);
-        DelimitedTable table = new DelimitedTable(lines, names, columns.columns().slots(), separator, '#');
+        DelimitedTable table = new DelimitedTable(lines, names, columns.columns().slots(), separator, '#').withTimestamps();
         return new MappedReader(below.isEmpty() ? table : table.withUnitsBelow(), columns.columns(), columns.time(metadata.rate()),
                 metadata.withUnits(columns.stated()));
     }

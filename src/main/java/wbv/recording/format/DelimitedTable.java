@@ -3,6 +3,7 @@ package wbv.recording.format;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import wbv.recording.DataFault;
 
 /**
@@ -35,6 +36,17 @@ final class DelimitedTable implements SlotRows {
     DelimitedTable withUnitsBelow() {
         below = true;
         return this;
+    }
+
+    /** Takes dates and times for times, where the column of times holds them. */
+    DelimitedTable withTimestamps() {
+        cells.stamped();
+        return this;
+    }
+
+    @Override
+    public OptionalDouble origin() {
+        return cells.origin();
     }
 
     /** The separator that a header line uses: tab, semicolon or comma, whichever comes first in that order. */

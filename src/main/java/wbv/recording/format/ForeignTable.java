@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Decimal;
@@ -83,7 +84,7 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
                         && DelimitedTable.names(lines.get(i - 2), separator).size() == width;
                 List<String> names = units ? DelimitedTable.names(lines.get(i - 2), separator)
                         : DelimitedTable.names(lines.get(i - 1), separator);
-                if (names.size() != width || names.stream().anyMatch(name -> number(name, separator).isPresent())) {
+                if (names.size() != width || names.stream().anyMatch(name -> isNumber(name, separator))) {
                     throw DataFault.in(file, "has no line with the names of its " + width + " columns above the numbers; write one");
                 }
                 return table(lines, i, separator, names, units ? above : List.of());
@@ -94,12 +95,22 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
 
     private static ForeignTable table(List<String> lines, int first, char separator, List<String> names, List<String> units) {
         List<double[]> rows = new ArrayList<>();
+        List<Timestamps> clocks = names.stream().map(name -> new Timestamps()).toList();
         for (String line : lines.subList(first, Math.min(lines.size() - 1, first + ROWS))) { // the last may have been cut
             List<String> cells = DelimitedTable.names(line, separator);
             if (cells.size() == names.size()) {
-                rows.add(cells.stream().mapToDouble(cell -> number(cell, separator).orElse(Double.NaN)).toArray());
+                double[] row = new double[cells.size()];
+                for (int i = 0; i < row.length; i++) {
+                    String cell = cells.get(i);
+                    Timestamps clock = clocks.get(i);
+                    row[i] = number(cell, separator).or(() -> clock.of(cell)).orElse(Double.NaN);
+                }
+                rows.add(row);
             }
         }
+        double[][] columns = columns(rows, names.size());
+        Optional<Integer> dated = IntStream.range(0, names.size()).boxed()
+                .filter(i -> clocks.get(i).origin().isPresent() && MapDraft.rises(columns[i])).findFirst();
         OptionalDouble rate = OptionalDouble.empty();
         for (String line : lines.subList(0, first)) {
             Matcher stated = RATE.matcher(line);
@@ -113,10 +124,10 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
                 .map(name -> new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1)).toList();
         List<Optional<String>> beside = new ArrayList<>();
         for (int i = 0; i < names.size(); i++) {
-            beside.add(units.isEmpty() ? Optional.empty() : Optional.of(units.get(i)));
+            beside.add(dated.equals(Optional.of(i)) ? Optional.of("s") : units.isEmpty() ? Optional.empty() : Optional.of(units.get(i)));
         }
         return new ForeignTable("a table parted by " + parted + (units.isEmpty() ? "" : ", with a row of units"), labels, beside,
-                columns(rows, names.size()), Optional.empty(), rate, false, Optional.empty());
+                columns, dated.map(names::get), rate, false, Optional.empty());
     }
 
     private static boolean ahead(List<String> lines, int from, char separator, int width) {
@@ -133,7 +144,11 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
     }
 
     private static int numbers(String line, char separator) {
-        return (int) DelimitedTable.names(line, separator).stream().filter(cell -> number(cell, separator).isPresent()).count();
+        return (int) DelimitedTable.names(line, separator).stream().filter(cell -> isNumber(cell, separator)).count();
+    }
+
+    private static boolean isNumber(String cell, char separator) {
+        return number(cell, separator).isPresent() || new Timestamps().of(cell).isPresent();
     }
 
     private static Optional<Double> number(String cell, char separator) {

@@ -284,7 +284,7 @@ public final class MapDraft {
         return Math.abs(value - truth) <= ABOUT * truth;
     }
 
-    private static boolean rises(double[] values) {
+    static boolean rises(double[] values) {
         int up = 0;
         for (int i = 1; i < values.length; i++) {
             up += values[i] > values[i - 1] ? 1 : 0;

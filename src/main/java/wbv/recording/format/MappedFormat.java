@@ -45,7 +45,8 @@ record MappedFormat(ColumnMap map) implements Format {
             }
         }
         MappedColumns columns = MappedColumns.of(source.name(), lines.line(), names, map);
-        return new MappedReader(new DelimitedTable(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
+        return new MappedReader(new DelimitedTable(lines, names, columns.slots(), separator, '#').withUnitsBelow().withTimestamps(),
+                columns, map.time(),
                 context.metadata(Provenance.parse(comments)).withUnits(NamedColumns.known(columns.channels())));
     }
 

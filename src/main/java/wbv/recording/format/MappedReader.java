@@ -2,6 +2,7 @@ package wbv.recording.format;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.OptionalDouble;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.RowReader;
@@ -49,6 +50,9 @@ final class MappedReader implements RowReader {
         if (Double.isNaN(row[0])) {
             throw rows.fault("the row has no time; every row needs one");
         }
+        if (rows.origin().isPresent() && units[0].toSi(1) != 1) {
+            throw rows.fault("dates and times stand in the column of times, to which no unit and no scale is given");
+        }
         for (int i = 0; i < units.length; i++) {
             row[i] = units[i].toSi(row[i]);
         }
@@ -57,6 +61,11 @@ final class MappedReader implements RowReader {
             row[0] -= zero;
         }
         return true;
+    }
+
+    @Override
+    public OptionalDouble origin() {
+        return rows.origin();
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -67,6 +68,21 @@ public final class MergedReader implements RowReader {
         for (int i = 0; i < ahead.length; i++) {
             ahead[i] = new double[1 + readers.get(i).channels().size()];
             advance(i);
+        }
+        laidByDate();
+    }
+
+    /** Rows that are dated count from the first of each file: the dates say how far these are apart. */
+    private void laidByDate() {
+        OptionalDouble first = readers.get(0).origin();
+        if (readers.stream().anyMatch(reader -> reader.origin().isPresent() != first.isPresent())) {
+            throw new DataFault("recordings timed by dates and by numbers share no clock and cannot be joined");
+        }
+        double least = readers.stream().mapToDouble(reader -> reader.origin().orElse(0)).min().orElse(0);
+        for (int i = 0; i < offsets.length && first.isPresent(); i++) {
+            double later = readers.get(i).origin().getAsDouble() - least;
+            offsets[i] += later;
+            ahead[i][0] += later;
         }
     }
 

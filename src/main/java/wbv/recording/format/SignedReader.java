@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import wbv.recording.AxisSigns;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -83,6 +84,11 @@ final class SignedReader implements RowReader {
     @Override
     public long passedOver() {
         return rows.passedOver();
+    }
+
+    @Override
+    public OptionalDouble origin() {
+        return rows.origin();
     }
 
     @Override

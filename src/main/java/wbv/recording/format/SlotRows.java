@@ -2,6 +2,7 @@ package wbv.recording.format;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.OptionalDouble;
 import wbv.recording.DataFault;
 
 /** Rows of numbers in slots, in whatever units the file has. */
@@ -19,6 +20,11 @@ interface SlotRows extends Closeable {
 
     /** Line of the file that the last row stood on; 0 where lines mean nothing. */
     long line();
+
+    /** What a calendar said at the first row, whose time counts from there, in seconds from 1970 on [s]; empty where it is a number. */
+    default OptionalDouble origin() {
+        return OptionalDouble.empty();
+    }
 
     /** Share of the file that was read, 0 to 1. */
     double fractionRead();
