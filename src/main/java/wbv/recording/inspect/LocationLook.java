@@ -1,6 +1,7 @@
 package wbv.recording.inspect;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import wbv.recording.Channel;
@@ -11,6 +12,10 @@ import wbv.recording.Unit;
 final class LocationLook {
 
     private static final double GRAVITY = Unit.STANDARD_GRAVITY;
+    /** Units of acceleration in which numbers are greater than in m/s². */
+    private static final List<String> FINER = List.of("mm/s²", "cm/s²", "mg");
+    /** No sensor of people or of what they sit on is shaken harder, root mean square [m/s²]. */
+    private static final double MOST_SHAKEN = 100;
 
     private final String location;
     private final List<Channel> channels = new ArrayList<>();
@@ -78,8 +83,8 @@ final class LocationLook {
 
     private void acceleration(List<Finding> findings, double[] standing, double rms) {
         double size = size(standing);
-        if (near(size, 1000, 0.15) && rms < 5000 || rms > 300) {
-            findings.add(unit(Quantity.ACCELERATION, Math.max(size, rms), "mg read as m/s²"));
+        if (showsGravityFinely(size) && rms < 5000 || rms > 300) {
+            findings.add(unit(Quantity.ACCELERATION, Math.max(size, rms), finer(size, rms)));
         } else if (near(size, GRAVITY, 0.15)) {
             findings.add(new Finding.GravityLeftIn(location, size));
         } else if (near(size, 1, 0.05) && rms < 1) {
@@ -92,8 +97,8 @@ final class LocationLook {
     private void specificForce(List<Finding> findings, double[] standing, double rms) {
         boolean whole = !Double.isNaN(standing[0] + standing[1] + standing[2]);
         double size = size(standing);
-        if (near(size, 1000, 0.15)) {
-            findings.add(unit(Quantity.SPECIFIC_FORCE, size, "mg read as m/s²"));
+        if (showsGravityFinely(size)) {
+            findings.add(unit(Quantity.SPECIFIC_FORCE, size, finer(size, rms)));
         } else if (whole && near(size, 1, 0.15) && rms < 2) {
             findings.add(unit(Quantity.SPECIFIC_FORCE, size, "g read as m/s²"));
         } else if (whole && size < 2) {
@@ -101,6 +106,27 @@ final class LocationLook {
         } else if (size > 1.25 * GRAVITY || whole && size < 0.75 * GRAVITY) {
             findings.add(bias(Quantity.SPECIFIC_FORCE, standing));
         }
+    }
+
+    private static boolean showsGravityFinely(double size) {
+        return FINER.stream().anyMatch(unit -> near(si(unit, size), GRAVITY, 0.15));
+    }
+
+    private static double si(String unit, double value) {
+        return Unit.of(unit).orElseThrow().toSi(value);
+    }
+
+    /**
+     * The finer units in which it would be: those that make gravity of what stands, if any do, nearest first; else all of which the motion
+     * may be.
+     */
+    private static String finer(double size, double rms) {
+        List<String> moving = FINER.stream().filter(unit -> !(si(unit, rms) > MOST_SHAKEN)).toList();
+        List<String> standing = moving.stream().filter(unit -> near(si(unit, size), GRAVITY, 0.15))
+                .sorted(Comparator.comparingDouble(unit -> Math.abs(si(unit, size) / GRAVITY - 1))).toList();
+        List<String> may = standing.isEmpty() ? moving : standing;
+        String last = may.isEmpty() ? "counts of a sensor" : may.get(may.size() - 1);
+        return (may.size() < 2 ? "" : String.join(", ", may.subList(0, may.size() - 1)) + " or ") + last + " read as m/s²";
     }
 
     private void angularRate(List<Finding> findings, double[] standing, double rms) {

@@ -124,7 +124,23 @@ class FindingsTest {
         assertTrue(only(inspect("accg", rest, inG, 4), Finding.ImplausibleUnit.class).likely().startsWith("g "));
         assertTrue(only(inspect("accg", rest, inMilliG, 4), Finding.ImplausibleUnit.class).likely().startsWith("mg "));
         assertTrue(only(inspect("acc", rest, inMilliG, 4), Finding.ImplausibleUnit.class).likely().startsWith("mg "));
+        UnaryOperator<double[]> inMillimetres = row -> scaled(row, 1, 4, 1000);
+        for (String quantity : List.of("acc", "accg")) {
+            assertEquals("mg or cm/s² read as m/s²", only(inspect(quantity, rest, inMilliG, 4), Finding.ImplausibleUnit.class).likely());
+            assertEquals("mm/s² read as m/s²", only(inspect(quantity, rest, inMillimetres, 4), Finding.ImplausibleUnit.class).likely());
+        }
         assertTrue(only(inspect("acc", new double[3], inDegrees, 4), Finding.ImplausibleUnit.class).likely().startsWith("deg/s"));
+    }
+
+    /** Of motion alone nothing tells which: a thousandth of a metre or of a g. */
+    @Test
+    void allUnitsThatMayBeAreNamed() {
+        UnaryOperator<double[]> great = row -> scaled(row, 1, 4, 2000);
+        assertEquals("mm/s², cm/s² or mg read as m/s²",
+                only(inspect("acc", new double[3], great, 4), Finding.ImplausibleUnit.class).likely());
+        UnaryOperator<double[]> counts = row -> scaled(row, 1, 4, 1e6);
+        assertEquals("counts of a sensor read as m/s²",
+                only(inspect("acc", new double[3], counts, 4), Finding.ImplausibleUnit.class).likely());
     }
 
     private static double[] scaled(double[] row, int from, int to, double factor) {
