@@ -124,6 +124,9 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
 
     private static String unit(Json json, String dimension) {
         String unit = json.text("unit").orElse(dimension);
+        if (unit.equals(MapDraft.OPEN)) {
+            throw json.fault("unit", "is still to be answered: write one of " + Unit.symbols(dimension) + " in place of '" + unit + "'");
+        }
         Unit.of(unit).filter(known -> known.dimension().equals(dimension))
                 .orElseThrow(() -> json.fault("unit", "must be one of " + Unit.symbols(dimension) + ": '" + unit + "'"));
         return unit;

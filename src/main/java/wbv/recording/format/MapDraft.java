@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -36,8 +37,13 @@ public final class MapDraft {
     private static final int[] COUNTS = {1024, 2048, 4096, 8192, 16384, 32768};
     /** Counts of a degree a second of the gyroscope that most hobby loggers have. */
     private static final double COUNTS_PER_DEGREE = 131;
+    /** What is recorded beside motion. */
+    private static final Set<Quantity> BESIDE = EnumSet.of(Quantity.TEMPERATURE, Quantity.VOLTAGE);
     /** Times that begin later than this [s] are counted from some epoch. */
     private static final double EPOCH = 1e5;
+
+    /** A unit that its user has to write; no map with it is read. */
+    static final String OPEN = "?";
 
     private final ForeignTable table;
     private final Specimen specimen;
@@ -48,6 +54,8 @@ public final class MapDraft {
     private final ObjectNode time = Json.MAPPER.createObjectNode();
     private int clock = -1;
     private boolean counted;
+    /** Columns of which an axis is all that is known. */
+    private final List<Integer> axesAlone = new ArrayList<>();
 
     private MapDraft(ForeignTable table) {
         this.table = table;
@@ -168,13 +176,16 @@ public final class MapDraft {
 
     private void channels() {
         Map<String, List<Integer>> sensors = new LinkedHashMap<>();
+        boolean silent = words.stream().flatMap(each -> each.label().quantity().stream()).allMatch(BESIDE::contains);
         for (int i = 0; i < words.size(); i++) {
             NameWords each = words.get(i);
             boolean guessed = each.number() > 0 && each.label().quantity().isEmpty() && each.label().unit().isEmpty() && !each.time();
             if (i == clock) {
                 continue;
             }
-            if (each.magnitude() || each.label().quantity().isEmpty() && !guessed
+            boolean axisAlone = silent && each.label().quantity().isEmpty() && each.label().unit().isEmpty() && !each.time()
+                    && each.label().axis().isPresent();
+            if (each.magnitude() || each.label().quantity().isEmpty() && !guessed && !axisAlone
                     || Arrays.stream(table.values()[i]).allMatch(Double::isNaN)) {
                 lines.add(each.label().name() + ": not read" + (each.magnitude() ? ", the length of a vector" : ""));
                 continue;
@@ -182,9 +193,15 @@ public final class MapDraft {
             if (guessed) {
                 questions.add("What does '" + each.label().name() + "' measure? It is taken for an acceleration.");
             }
+            if (axisAlone) {
+                axesAlone.add(i);
+            }
             Quantity quantity = each.label().quantity().orElse(Quantity.ACCELERATION);
             sensors.computeIfAbsent(each.label().place().orElse("") + " " + quantity.symbol() + (each.linear() ? " linear" : ""),
                     key -> new ArrayList<>()).add(i);
+        }
+        if (!axesAlone.isEmpty()) {
+            questions.add("What do " + names(axesAlone) + " measure? An axis is all that the names say: accelerations are assumed.");
         }
         List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty())
                 .toList();
@@ -269,6 +286,12 @@ public final class MapDraft {
                 counted = true;
                 return new Scale(Quantity.SPECIFIC_FORCE, "g", 1.0 / counts, ", gravity in it");
             }
+        }
+        if (axesAlone.containsAll(columns)) {
+            questions
+                    .add("In which unit are " + names(columns) + ", and is gravity in them (accg in place of acc)? Write the unit in place "
+                            + "of each \"" + OPEN + "\": until then the map is not read.");
+            return new Scale(Quantity.ACCELERATION, OPEN, 1, ", a unit that is to be written");
         }
         questions.add("In which unit are " + names(columns) + ", and is gravity in them? m/s2 without gravity is assumed.");
         return new Scale(Quantity.ACCELERATION, "m/s2", 1, "");

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -121,6 +122,28 @@ class MapDraftTest {
         MapDraft draft = MapDraft.of(off);
         assertTrue(draft.json("").contains("seat.accg.z"));
         assertTrue(draft.questions().stream().anyMatch(question -> question.startsWith("Is gravity in 'ax_m_s2'")), "" + draft.questions());
+    }
+
+    /** What no name and no number says stays open in the draft, and no command takes it before it is answered. */
+    @ParameterizedTest
+    @ValueSource(strings = {"t_ms;floor_x;floor_z;seat_z;rpm", "Time [ms];Boden X;Boden Z;Sitz Z;Temp [degC]"})
+    void axesAloneAreDraftedWithTheirUnitOpen(String header) throws IOException {
+        Path table = Samples.file(room, "axes.csv",
+                header + "\n0;0,1;0,3;0,2;20\n5;-0,1;0,2;0,4;20\n10;0,2;0;-0,3;20\n15;0,1;0,1;0,1;20\n20;0;0;0;20\n");
+        MapDraft draft = MapDraft.of(table);
+        String place = header.contains("Boden") ? "boden" : "floor";
+        Channel floor = Channel.parse(place + ".acc.z");
+        assertTrue(draft.drafted().contains(floor), draft.drafted().toString());
+        assertTrue(draft.questions().stream().anyMatch(question -> question.startsWith("What do "))
+                && draft.questions().stream().anyMatch(question -> question.startsWith("In which unit")), draft.questions().toString());
+        String told = assertThrows(DataFault.class, () -> read(table, floor)).getMessage();
+        assertTrue(told.contains(place + ".acc.x.unit' is still to be answered: write one of m/s2"), told);
+        Path map = Files.writeString(room.resolve("map.json"), draft.json("axes.csv").replace("\"?\"", "\"g\""));
+        try (RowReader reader = new RecordingFile(table,
+                new ReadOptions(Optional.of(ColumnMap.read(map)), OptionalDouble.empty(), Map.of())).open()) {
+            int column = 1 + reader.channels().indexOf(floor);
+            assertEquals(0.3 * Unit.STANDARD_GRAVITY, Samples.rows(reader).get(0)[column], 1e-12);
+        }
     }
 
     @ParameterizedTest
