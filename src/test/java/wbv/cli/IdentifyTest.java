@@ -9,6 +9,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -34,6 +36,37 @@ class IdentifyTest {
         assertHolds(5.868, found.get("instruments").get("modes").get(0), "natural_frequency");
         assertHolds(14.340, found.get("instruments").get("modes").get(1), "natural_frequency");
         assertFalse(found.get("provenance").get("command").asText().isEmpty());
+    }
+
+    /** A dashpot follows its rod: motion up to 10 Hz, 300 samples a second, no mode. */
+    @Test
+    void nothingThatIsNotExcitedGetsANumber() throws IOException {
+        Random random = new Random(5);
+        StringBuilder rows = new StringBuilder("t,rod.pos.z [m],damper.force.z [N]\n");
+        double[] phases = random.doubles(100, 0, 2 * Math.PI).toArray();
+        for (int k = 0; k < 3000; k++) {
+            double t = k / 300.0;
+            double x = 0;
+            double v = 0;
+            for (int line = 5; line < phases.length; line++) {
+                double w = 2 * Math.PI * line / 10;
+                x += 2e-3 / w * Math.sin(w * t + phases[line]);
+                v += 2e-3 * Math.cos(w * t + phases[line]);
+            }
+            rows.append(String.format(Locale.ROOT, "%.6f,%.8f,%.5f%n", t, x + 1e-6 * random.nextGaussian(),
+                    2000 * x + 1800 * v + 0.5 * random.nextGaussian()));
+        }
+        Path bench = Files.writeString(folder.resolve("bench.csv"), rows);
+        Run run = Run.of("identify", bench.toString(), "--input", "rod.pos.z", "--output", "damper.force.z", "--out",
+                folder.resolve("none").toString());
+        assertEquals(0, run.code(), run.err());
+        assertFalse(run.out().contains("natural frequency"), run.out());
+        assertTrue(run.out().contains("is no mode with a number"), run.out());
+        assertTrue(run.out().contains("used at 4"), "slower than it was recorded: " + run.out());
+        JsonNode found = new ObjectMapper().readTree(folder.resolve("none/identification.json").toFile());
+        assertEquals(0, found.get("armax").get("modes").size());
+        assertTrue(found.get("armax").get("undetermined").size() > 0, found.toString());
+        assertEquals(9.9, found.get("excited_to_hz").asDouble(), 1);
     }
 
     private static void assertHolds(double truth, JsonNode mode, String what) {
