@@ -17,6 +17,9 @@ public enum Backing {
      */
     NOT_CAUSED("not caused by this input alone"),
 
+    /** The coherence is low, yet what the input leaves of the output is no more than the output has where nothing is excited. */
+    BELOW_NOISE("below the output's noise"),
+
     /** The coherence is too low to be believed, yet there are too few averages to say that it is low. */
     IN_DOUBT("too few averages to tell"),
 

@@ -85,7 +85,8 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
         }
         double[] own = new double[bins];
         Arrays.fill(own, 1);
-        Backing[] backing = new Judge(averages, 1, firstBin, excited).of(xx, coherence, own, 0);
+        Judge judge = new Judge(averages, 1, firstBin, excited);
+        Backing[] backing = judge.of(xx, yy, judge.noise(yy, coherence, xx), coherence, own, 0);
         return new FrequencyResponse(frequency, xx, yy, h1, h2, hv, coherence, error, backing, averages);
     }
 

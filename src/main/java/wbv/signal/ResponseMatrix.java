@@ -101,10 +101,12 @@ public final class ResponseMatrix {
 
     private void judge(int firstBin, FrequencyResponse.Excited excited) {
         Judge judge = new Judge(averages, inputs, firstBin, excited);
+        double[] noise = new double[outputs];
+        Arrays.setAll(noise, o -> judge.noise(densities[inputs + o], multiple[o], Arrays.copyOf(densities, inputs)));
         for (int i = 0; i < inputs; i++) {
             double[] own = Arrays.stream(among[i]).map(shared -> 1 - shared).toArray();
             for (int o = 0; o < outputs; o++) {
-                backing[o][i] = judge.of(densities[i], multiple[o], own, LEAST_OWN);
+                backing[o][i] = judge.of(densities[i], densities[inputs + o], noise[o], multiple[o], own, LEAST_OWN);
             }
         }
     }

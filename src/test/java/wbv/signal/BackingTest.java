@@ -47,6 +47,36 @@ class BackingTest {
         assertTrue(found.partial() > 0.9 && found.bins() > 20, found.toString());
     }
 
+    /**
+     * The input moves from 1 to 30 Hz, the output follows it through a low-pass and sinks in its sensor's noise: nothing else causes it.
+     * Another motion as large as three times that noise does.
+     */
+    @Test
+    void whatTheSensorsNoiseHidesHasNoOtherCause() {
+        int told = 0;
+        int another = 0;
+        int hidden = 0;
+        int runs = 20;
+        for (int seed = 1; seed <= runs; seed++) {
+            Random random = new Random(seed);
+            double[] exciting = KnownBodies.spectrum(1 << 13, RATE, 1, 30, random);
+            double[] acting = KnownBodies.spectrum(1 << 13, RATE, 1, 30, random);
+            double[] answer = new double[exciting.length];
+            KnownBodies.pass(exciting, f -> new double[] {Math.exp(-f / 2), 0}, RATE, answer);
+            double[] x = KnownBodies.record(exciting, 0.001, random);
+            double[] alone = KnownBodies.record(answer, 0.05, random);
+            double[] both = answer.clone();
+            KnownBodies.pass(acting, f -> new double[] {0.021, 0}, RATE, both);
+            Backing[] quiet = pair(x, alone).backing();
+            told += Backing.isBeyondChance(Arrays.stream(quiet).filter(Backing.NOT_CAUSED::equals).count(), 74) ? 1 : 0;
+            hidden += share(quiet, 20, 29, Backing.BELOW_NOISE) > 0.7 ? 1 : 0;
+            another += share(pair(x, KnownBodies.record(both, 0.05, random)).backing(), 20, 29, Backing.NOT_CAUSED) > 0.7 ? 1 : 0;
+        }
+        assertTrue(told <= 2, "another cause told in " + told + " of " + runs);
+        assertEquals(runs, hidden);
+        assertEquals(runs, another);
+    }
+
     /** An input of even density has no floor: where nothing answers it, the answer is missing, not the excitation. */
     @Test
     void anEvenInputIsExcitedEverywhere() {
@@ -82,7 +112,7 @@ class BackingTest {
         double[] even = {1, 1, 1, 1, 1, 1};
         assertTrue(critical > 0.8, "critical " + critical);
         assertArrayEquals(new Backing[] {Backing.NOT_EXCITED, Backing.NOT_CAUSED, Backing.NOT_CAUSED, Backing.IN_DOUBT, Backing.IN_DOUBT,
-            Backing.USABLE}, new Judge(7, 1, 1, Excited.USUAL).of(even, coherence, even, 0));
+            Backing.USABLE}, new Judge(7, 1, 1, Excited.USUAL).of(even, even, 0, coherence, even, 0));
     }
 
     private static FrequencyResponse pair(double[] x, double[] y) {

@@ -37,7 +37,7 @@ public final class Shades {
     private static int pattern(Backing reason) {
         return switch (reason) {
             case NOT_CAUSED -> 1;
-            case IN_DOUBT -> 2;
+            case IN_DOUBT, BELOW_NOISE -> 2;
             default -> 0;
         };
     }
