@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -18,6 +17,7 @@ import java.util.OptionalDouble;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.recording.DataFault;
 
 class ResultsJsonTest {
 
@@ -76,7 +76,7 @@ class ResultsJsonTest {
 
     @Test
     void whatCannotBeWrittenLeavesNothing(@TempDir Path folder) throws IOException {
-        assertThrows(NoSuchFileException.class, () -> ResultsJson.write(1, folder.resolve("missing/results.json")));
+        assertThrows(DataFault.class, () -> ResultsJson.write(1, folder.resolve("missing/results.json")));
         assertThrows(IOException.class, () -> ResultsJson.write(new Object(), folder.resolve("results.json")));
         assertTrue(folder.toFile().list().length == 0);
     }

@@ -124,19 +124,20 @@ public final class Fitter {
         if (first.nuisances().count() == 0) {
             return first;
         }
-        return ran.or(() -> runs.of(candidate, x)).map(response -> residuals.of(candidate, x, first, response))
-                .filter(there -> !there.failed()).map(there -> refined(there, window, ways)).orElse(first);
+        return ran.or(() -> runs.of(candidate, x)).flatMap(response -> Optional.of(residuals.of(candidate, x, first, response))
+                .filter(there -> !there.failed()).map(there -> refined(there, response, window, ways))).orElse(first);
     }
 
     /** The frame about the sensors' errors that were found in a first one. */
-    private Frame refined(State there, Window window, ErrorShapes ways) {
+    private Frame refined(State there, Simulator.Response response, Window window, ErrorShapes ways) {
         Frame first = there.frame();
         // A sensor that is late is late for what reaches all sensors too.
         Frame second = evidence.sources().areStrong()
                 ? frame(there.candidate(), there.x(), window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
         boolean[] off = first.nuisances().off(there.candidate());
         double[] errors = first.nuisances().delays().likeliest(there.errors(), off);
-        return new Frame(second.whitening(), second.nuisances().bounded(there.raw(), off).around(errors), there.x());
+        Nuisances modelled = second.nuisances().asModelled(evidence, runs.excitation(), response.outputs(), second.whitening());
+        return new Frame(second.whitening(), modelled.bounded(there.raw(), off).around(errors), there.x());
     }
 
     private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {

@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import wbv.body.Drive;
 import wbv.diagnosis.algebra.BoundedLeastSquares;
 import wbv.diagnosis.algebra.Columns;
+import wbv.body.simulate.Excitation;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -54,6 +55,28 @@ public final class Nuisances {
         this.squares = squares;
         this.delays = delays;
         this.way = way;
+    }
+
+    /**
+     * The same, with gains that are a part of what was measured as far as that is no noise: noise that is multiplied with itself does not
+     * go away in the mean (Fuller, Measurement Error Models, 1987).
+     *
+     * @param from what was simulated
+     * @param outputs spectra by output, in its unit. Not modified.
+     */
+    Nuisances asModelled(Evidence evidence, Excitation from, double[][] outputs, Whitening whitening) {
+        double[][] all = IntStream.range(0, count()).mapToObj(i -> {
+            SmallError error = errors.get(i);
+            if (error.kind() != SmallError.Kind.GAIN) {
+                return columns.get(i);
+            }
+            double[][] own = Arrays.stream(outputs).map(output -> new double[output.length]).toArray(double[][]::new);
+            own[error.owner()] = evidence.spectra().reading(from, error.owner(), outputs[error.owner()]);
+            return evidence.spectra().whitened(from, own, error.deviation(sample), whitening);
+        }).toArray(double[][]::new);
+        Columns modelled = new Columns(all);
+        double[] most = errors.stream().mapToDouble(SmallError::most).toArray();
+        return new Nuisances(window, sample, errors, modelled, new BoundedLeastSquares(modelled.gram(), most), delays, way);
     }
 
     /**

@@ -2,7 +2,9 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
+import wbv.diagnosis.measured.AboveNoise;
 import wbv.diagnosis.measured.Measured;
 import wbv.recording.Quantity;
 
@@ -48,6 +50,19 @@ public final class OutputSpectra {
         for (int i = 0; i < out.length; i++) {
             out[i] = valid[i] ? own[i] - out[i] - level : 0;
         }
+        return out;
+    }
+
+    /**
+     * What an output reads but for noise, a spectrum in its unit: what was simulated, and what shows above its noise beside that. A new
+     * array.
+     *
+     * @param from what was simulated
+     * @param simulated a spectrum, in the output's unit. Not modified.
+     */
+    public double[] reading(Excitation from, int output, double[] simulated) {
+        double[] out = simulated.clone();
+        Spectra.add(out, AboveNoise.integral(from, from.spectrum(beside(from, output, simulated)), measured.noise()[output], 0), 1);
         return out;
     }
 

@@ -21,7 +21,6 @@ import wbv.diagnosis.fit.Lateness;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Slot;
-import wbv.diagnosis.measured.AboveNoise;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -91,15 +90,6 @@ public final class Directions {
         return with.at(state.candidate().extended(state.x(), with, hypothesis, values));
     }
 
-    /** What an output reads: the model's, and what shows above its noise beside that. */
-    private double[] reading(int output) {
-        Excitation excitation = evidence.excitation();
-        double[] out = there.outputs()[output].clone();
-        Spectra.add(out, AboveNoise.integral(excitation, excitation.spectrum(evidence.spectra().beside(excitation, output, out)),
-                evidence.noise()[output], 0), 1);
-        return out;
-    }
-
     /** By how much the outputs change. */
     private double[][] changed(Assembly changed) {
         double[][] out = simulator.run(changed, false, there.bends()).outputs();
@@ -116,7 +106,8 @@ public final class Directions {
         for (Addition addition : hypothesis.additions()) {
             int output = ((Addition.OfSensor) addition).output();
             List<SensorFault> faults = with.outputs().get(output).faults();
-            double[] read = readings.computeIfAbsent(output, this::reading);
+            double[] read = readings.computeIfAbsent(output,
+                    o -> evidence.spectra().reading(evidence.excitation(), o, there.outputs()[o]));
             Optional<double[]> undone = simulator.undone(faults.get(faults.size() - 1), read);
             if (undone.isEmpty()) {
                 return Optional.empty();
