@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.stream.IntStream;
 import wbv.body.law.Learned;
 import wbv.diagnosis.fit.Evidence;
@@ -59,7 +60,13 @@ final class VerdictWords {
      */
     String ending(double share, double numbers, List<Diagnosis.Named> rivals) {
         return "; explains " + Phrases.percent(share) + " of the mismatch"
-                + rivals.stream().findFirst().map(rival -> nextBest(rival, numbers)).orElse("") + ".";
+                + shown(rivals).findFirst().map(rival -> nextBest(rival, numbers)).orElse("") + ".";
+    }
+
+    /** Those that explain something of a mismatch, if there is one. */
+    private Stream<Diagnosis.Named> shown(List<Diagnosis.Named> rivals) {
+        return rivals.stream()
+                .filter(rival -> base.reduced() <= Priors.SILENT || Refinement.explained(base, rival.reduced()) >= LEAST_SHOWN);
     }
 
     /** A rival, and why it is one no longer, or one at all, where only the model's own numbers speak against it or for it. */
@@ -121,8 +128,7 @@ final class VerdictWords {
     private String apart(List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals) {
         double least = Priors.ODDS * missing.stream().mapToDouble(Diagnosis.Named::probability).min().orElse(1);
         boolean quiet = base.reduced() <= Priors.SILENT;
-        Optional<Diagnosis.Named> nearest = rivals.stream().filter(rival -> rival.probability() > least)
-                .filter(rival -> quiet || Refinement.explained(base, rival.reduced()) >= LEAST_SHOWN)
+        Optional<Diagnosis.Named> nearest = shown(rivals).filter(rival -> rival.probability() > least)
                 .max(Comparator.comparingDouble(
                         rival -> quiet ? rival.probability() : Refinement.explained(base, rival.reduced())));
         return nearest.map(rival -> rival.mechanism().equals(new ParameterError().word())

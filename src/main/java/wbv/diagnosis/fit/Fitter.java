@@ -136,8 +136,8 @@ public final class Fitter {
                 ? frame(there.candidate(), there.x(), window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
         boolean[] off = first.nuisances().off(there.candidate());
         double[] errors = first.nuisances().delays().likeliest(there.errors(), off);
-        Nuisances modelled = second.nuisances().asModelled(evidence, runs.excitation(), response.outputs(), second.whitening());
-        return new Frame(second.whitening(), modelled.bounded(there.raw(), off).around(errors), there.x());
+        Nuisances heard = second.nuisances().withoutNoise(evidence, runs.excitation(), response.outputs(), second.whitening());
+        return new Frame(second.whitening(), heard.bounded(there.raw(), off).around(errors), there.x());
     }
 
     private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {

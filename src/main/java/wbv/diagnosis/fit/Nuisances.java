@@ -64,7 +64,7 @@ public final class Nuisances {
      * @param from what was simulated
      * @param outputs spectra by output, in its unit. Not modified.
      */
-    Nuisances asModelled(Evidence evidence, Excitation from, double[][] outputs, Whitening whitening) {
+    Nuisances withoutNoise(Evidence evidence, Excitation from, double[][] outputs, Whitening whitening) {
         double[][] all = IntStream.range(0, count()).mapToObj(i -> {
             SmallError error = errors.get(i);
             if (error.kind() != SmallError.Kind.GAIN) {
@@ -74,9 +74,9 @@ public final class Nuisances {
             own[error.owner()] = evidence.spectra().reading(from, error.owner(), outputs[error.owner()]);
             return evidence.spectra().whitened(from, own, error.deviation(sample), whitening);
         }).toArray(double[][]::new);
-        Columns modelled = new Columns(all);
+        Columns heard = new Columns(all);
         double[] most = errors.stream().mapToDouble(SmallError::most).toArray();
-        return new Nuisances(window, sample, errors, modelled, new BoundedLeastSquares(modelled.gram(), most), delays, way);
+        return new Nuisances(window, sample, errors, heard, new BoundedLeastSquares(heard.gram(), most), delays, way);
     }
 
     /**
