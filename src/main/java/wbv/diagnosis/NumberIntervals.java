@@ -93,7 +93,7 @@ public final class NumberIntervals {
     double surenessBeside(int i, int held) {
         double[] less = new double[curvature.length];
         less[i] = 1;
-        less[held]--;   // nothing is off itself
+        less[held] = -1;
         return state.held()[i] || i == held ? 0 : Math.abs(state.x()[i] - state.x()[held]) / deviation(less);
     }
 

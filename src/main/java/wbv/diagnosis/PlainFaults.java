@@ -35,7 +35,7 @@ final class PlainFaults {
     private static final double SURE = 8;
     /** From here on it is gravity, or a unit, and no bias. */
     private static final double ABSURD = 5;
-    /** Parts of a recording in which a zero may be another: enough that three standard deviations of {@link #isSlow} can be missed. */
+    /** Parts of a recording in which a zero may be another, an effort: with so many {@link #isSlow} has room below its bound. */
     private static final int PARTS = 16;
     /** Standard deviations by which what drifts differs from what does not. */
     private static final double SLOW = 3;

@@ -13,11 +13,7 @@ import wbv.signal.SpectralMatrix;
  */
 public final class ExcitedBand {
 
-    /** The resolution of a frequency response: 4 Hz, damping ratio 0.3, peak lowered by 2 %. */
-    private static final double FREQUENCY = 4;
-    private static final double DAMPING = 0.3;
-    private static final double BIAS = 0.02;
-    /** Segments for each input, overlapping by half. */
+    /** Segments for each input, overlapping by half, and the shortest that one may be [samples]: as of a frequency response. */
     private static final int LEAST_SEGMENTS = 4;
     private static final int SHORTEST = 8;
 
@@ -44,11 +40,7 @@ public final class ExcitedBand {
     /** Of samples. */
     public static ExcitedBand of(Samples samples) {
         int m = samples.inputs();
-        int length = Segmentation.resolving(samples.rate(), FREQUENCY, DAMPING, BIAS).length();
-        while (length > SHORTEST && (LEAST_SEGMENTS * m + 1) * (long) length / 2 > samples.length()) {
-            length /= 2;
-        }
-        Segmentation segmentation = new Segmentation(samples.rate(), length, 0.5);
+        Segmentation segmentation = Segmentation.ofSitter(samples.rate(), samples.length(), LEAST_SEGMENTS * m, SHORTEST);
         SpectralMatrix spectra = new SpectralMatrix(segmentation, Detrend.MEAN, m + 1);
         double[] row = new double[m + 1];
         for (int k = 0; k < samples.length(); k++) {

@@ -15,8 +15,6 @@ public final class Slower {
      * follows what is band-limited; the resampler passes up to 0.4 of the rate, above it nothing is excited.
      */
     private static final double LEAST = 4;
-    private static final double PASS = 0.4;
-    private static final double ATTENUATION = 80;
 
     private Slower() {}
 
@@ -30,24 +28,19 @@ public final class Slower {
         int down = (int) Math.floor(samples.rate() / (LEAST * highest));
         for (; down > 1; down--) {
             int by = down;
-            double[][] u = Arrays.stream(samples.u()).map(each -> slower(each, by)).toArray(double[][]::new);
             double[] y = slower(samples.y(), by);
             if (y.length >= fewest) {
-                return new Samples(samples.rate() / by, u, y);
+                return new Samples(samples.rate() / by, Arrays.stream(samples.u()).map(each -> slower(each, by)).toArray(double[][]::new),
+                        y);
             }
         }
         return samples;
     }
 
     private static double[] slower(double[] values, int down) {
-        double[] all = new double[(values.length + down - 1) / down];
-        int[] filled = {0};
-        BandlimitedResampler resampler = new BandlimitedResampler(1, down, PASS, ATTENUATION, value -> all[filled[0]++] = value);
-        for (double value : values) {
-            resampler.accept(value);
-        }
-        resampler.finish();
-        int end = Math.min(all.length / 2, (resampler.delay() + down - 1) / down);
+        double[] all = BandlimitedResampler.resample(values, 1, down);
+        int delay = new BandlimitedResampler(1, down, none -> {}).delay();
+        int end = Math.min(all.length / 2, (delay + down - 1) / down);
         return Arrays.copyOfRange(all, end, all.length - end);
     }
 }

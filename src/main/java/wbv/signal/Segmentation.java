@@ -47,6 +47,23 @@ public record Segmentation(double rate, int length, double overlap) implements S
     }
 
     /**
+     * The resolution that a sitter's resonance needs, overlapping by half (4 Hz, damping ratio 0.3, peak lowered by 2 %), or, of a short
+     * record, the longest segments of which enough are in it.
+     *
+     * @param rate of the samples [Hz]
+     * @param samples of the record
+     * @param enough segments
+     * @param shortest that a segment may be made [samples]
+     */
+    public static Segmentation ofSitter(double rate, long samples, int enough, double shortest) {
+        int length = resolving(rate, 4, 0.3, 0.02).length();
+        while (length / 2 >= shortest && (enough + 1) * (long) length / 2 > samples) {
+            length /= 2;
+        }
+        return new Segmentation(rate, length, 0.5);
+    }
+
+    /**
      * Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go.
      *
      * @param duration [s]

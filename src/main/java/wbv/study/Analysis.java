@@ -162,14 +162,8 @@ public final class Analysis {
         return results;
     }
 
-    /** A resolution that a sitter's resonance needs (4 Hz, damping ratio 0.3, peak lowered by 2 %), or what a short record allows. */
     private static Segmentation segmentation(double rate, long samples) {
-        Segmentation wanted = Segmentation.resolving(rate, 4, 0.3, 0.02);
-        int length = wanted.length();
-        while (length > 16 && (LEAST_SEGMENTS + 1) * (long) length / 2 > samples) {
-            length /= 2;
-        }
-        return new Segmentation(rate, length, wanted.overlap());
+        return Segmentation.ofSitter(rate, samples, LEAST_SEGMENTS, 16);
     }
 
     /** The output that is shown first: the head if it is there, else the last. */

@@ -2,6 +2,7 @@ package wbv.study;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IntSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -12,9 +13,9 @@ import wbv.identify.EquivalentBody;
 import wbv.identify.ExcitedBand;
 import wbv.identify.OrderSelection;
 import wbv.identify.Orders;
+import wbv.identify.PredictionError;
 import wbv.identify.RefinedInstruments;
 import wbv.identify.Samples;
-import wbv.identify.PredictionError;
 import wbv.identify.Slower;
 import wbv.identify.TransferFit;
 import wbv.recording.Channel;
@@ -88,8 +89,7 @@ public record Identification(String recording, List<String> inputs, String outpu
      * @param simulated share that is simulated from the inputs alone
      */
     public record Discrete(int poles, double[] a, double[][] b, double[] c, double residual_sd, double predicted, double simulated,
-            boolean converged, String equation, List<Mode> modes,
-            List<Undetermined> undetermined) {}
+            boolean converged, String equation, List<Mode> modes, List<Undetermined> undetermined) {}
 
     /**
      * {@code B(s)/A(s)} of every input, s in rad/s; coefficients of the highest power first, A's leading 1 left out.
@@ -123,16 +123,16 @@ public record Identification(String recording, List<String> inputs, String outpu
             }
         }
         List<Orders> candidates = poles.stream().map(Orders::body).toList();
-        int fewest = candidates.stream().mapToInt(each -> new PredictionError(each).fewest(inputs.size())).min().orElseThrow();
-        if (whole[1] - whole[0] < fewest) {
+        IntSummaryStatistics fewest = candidates.stream().mapToInt(each -> new PredictionError(each).fewest(inputs.size()))
+                .summaryStatistics();
+        if (whole[1] - whole[0] < fewest.getMin()) {
             throw DataFault.in(name, String.format(Locale.ROOT,
                     "has %d samples without a gap; these orders need at least %d: record longer, or ask for fewer --poles",
-                    whole[1] - whole[0], fewest));
+                    whole[1] - whole[0], fewest.getMin()));
         }
         Samples recorded = new Samples(rate, Arrays.copyOf(cut, inputs.size()), cut[inputs.size()]);
         ExcitedBand band = ExcitedBand.of(recorded);
-        int most = candidates.stream().mapToInt(each -> new PredictionError(each).fewest(inputs.size())).max().orElseThrow();
-        Samples samples = band.exists() ? Slower.of(recorded, band.to(), most) : recorded;
+        Samples samples = band.exists() ? Slower.of(recorded, band.to(), fewest.getMax()) : recorded;
         OrderSelection selection = OrderSelection.among(candidates, samples);
         ArmaxFit best = selection.best().fit();
         Told told = told(best.modes(), best.converged(), band);

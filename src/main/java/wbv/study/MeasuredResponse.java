@@ -108,14 +108,10 @@ public final class MeasuredResponse {
             requireLength(wanted.length(), samples, rate, 1);
             return wanted;
         }
-        // A resolution that a sitter's resonance needs: 4 Hz, damping ratio 0.3, peak lowered by 2 %.
-        int length = Segmentation.resolving(rate, 4, 0.3, 0.02).length();
         int least = LEAST_SEGMENTS * inputs.size();
-        while (length > 8 && length / 2 >= SHORTEST * rate && (least + 1) * (long) length / 2 > samples) {
-            length /= 2;
-        }
-        requireLength(length, samples, rate, least);
-        return new Segmentation(rate, length, 0.5);
+        Segmentation segmentation = Segmentation.ofSitter(rate, samples, least, Math.max(8, SHORTEST * rate));
+        requireLength(segmentation.length(), samples, rate, least);
+        return segmentation;
     }
 
     private void requireLength(int length, long samples, double rate, int segments) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,13 +51,8 @@ class WrongNumbersTest {
     }
 
     private static Recording recording(Random random) {
-        double[] phase = random.doubles(190, 0, 2 * Math.PI).toArray();
-        double[] base = new double[N];
-        for (int j = 0; j < N; j++) {
-            for (int k = 0; k < phase.length; k++) {
-                base[j] += 0.08 * Math.min(1, j / RATE / 2) * Math.sin(2 * Math.PI * (0.5 + 0.08 * k) * j / RATE + phase[k]);
-            }
-        }
+        DoubleUnaryOperator ride = Bench.tones(190, 0.5, 0.08, 0.08, random);
+        double[] base = IntStream.range(0, N).mapToDouble(j -> ride.applyAsDouble(j / RATE)).toArray();
         double[][] out = new Simulator(new Excitation(RATE, base, Map.of())).outputs(model(List.of(12.0, 44.0, 5.5)).assembly());
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         channels.put(channel("platform"), Bench.noisy(base, NOISE, random));

@@ -41,9 +41,12 @@ public final class Nuisances {
         double sample = evidence.measured().sample();
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
-        double[] most = shapes.errors().stream().mapToDouble(SmallError::most).toArray();
-        return new Nuisances(whitening.window(), sample, shapes.errors(), all, new BoundedLeastSquares(all.gram(), most),
+        return new Nuisances(whitening.window(), sample, shapes.errors(), all, squares(all, shapes.errors()),
                 new SensorDelays(shapes.errors(), sample), 1);
+    }
+
+    private static BoundedLeastSquares squares(Columns columns, List<SmallError> errors) {
+        return new BoundedLeastSquares(columns.gram(), errors.stream().mapToDouble(SmallError::most).toArray());
     }
 
     private Nuisances(Window window, double sample, List<SmallError> errors, Columns columns, BoundedLeastSquares squares,
@@ -75,8 +78,7 @@ public final class Nuisances {
             return evidence.spectra().whitened(from, own, error.deviation(sample), whitening);
         }).toArray(double[][]::new);
         Columns heard = new Columns(all);
-        double[] most = errors.stream().mapToDouble(SmallError::most).toArray();
-        return new Nuisances(window, sample, errors, heard, new BoundedLeastSquares(heard.gram(), most), delays, way);
+        return new Nuisances(window, sample, errors, heard, squares(heard, errors), delays, way);
     }
 
     /**

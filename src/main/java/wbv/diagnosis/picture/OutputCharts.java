@@ -155,11 +155,7 @@ final class OutputCharts {
      * @param y NaN does not count
      */
     static Optional<List<FrequencyResponse>> response(double[] x, double[][] y, double rate) {
-        int length = Segmentation.resolving(rate, 4, 0.3, 0.02).length();
-        while (length > 32 && (LEAST_SEGMENTS + 1) * length / 2 > x.length) {
-            length /= 2;
-        }
-        CrossSpectrum spectra = new CrossSpectrum(new Segmentation(rate, length, 0.5), Detrend.MEAN, y.length);
+        CrossSpectrum spectra = new CrossSpectrum(Segmentation.ofSitter(rate, x.length, LEAST_SEGMENTS, 32), Detrend.MEAN, y.length);
         double[] row = new double[y.length];
         for (int i = 0; i < x.length; i++) {
             for (int o = 0; o < row.length; o++) {

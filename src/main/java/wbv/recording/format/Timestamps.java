@@ -14,6 +14,7 @@ import java.util.OptionalLong;
  */
 final class Timestamps {
 
+    /** Characters of a date, of one with a time to the second, and of a fraction to the nanosecond (ISO 8601). */
     private static final int DATE = 10;
     private static final int SECONDS = 19;
     private static final int NANO_DIGITS = 9;
