@@ -1,6 +1,6 @@
 package wbv.diagnosis.measured;
 
-import java.util.stream.IntStream;
+import java.util.Arrays;
 import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
 
@@ -31,20 +31,22 @@ public final class AboveNoise {
         // A blow at the first sample is at every line as strong as that of noise is in the mean.
         double[] blow = new double[excitation.samples()];
         blow[0] = noise * Math.sqrt(blow.length);
-        double[] mean = excitation.spectrum(blow);
+        double[] mean = power(excitation.spectrum(blow));
+        double[] own = power(spectrum);
         double[] out = spectrum;
         for (int i = 0; i < times; i++) {
             out = Spectra.overJOmega(excitation.omega(), out);
         }
         out = out.clone();
+        double[] integrated = power(out);
         double all = 0;
         double ofNoise = 0;
-        for (int k = excitation.omega().length - 1; k >= 0; k--) {
-            double above = power(spectrum, k - LINES, k + LINES) / power(mean, k, k);
+        for (int k = own.length - 1; k >= 0; k--) {
+            double above = around(own, k) / mean[k];
             double shown = above > SURE ? 1 - 1 / above : 0;
             if (shown > 0 && k > 0) {
-                all += power(out, k, k);
-                ofNoise += power(mean, k, k) / Math.pow(excitation.omega()[k], 2 * times);
+                all += integrated[k];
+                ofNoise += mean[k] / Math.pow(excitation.omega()[k], 2 * times);
             }
             boolean little = ofNoise < MOST * all;
             out[2 * k] *= little ? shown : 0;
@@ -53,9 +55,21 @@ public final class AboveNoise {
         return out;
     }
 
-    /** Mean power of some lines of a spectrum, as many of these as there are. */
-    private static double power(double[] spectrum, int from, int to) {
-        return IntStream.rangeClosed(Math.max(0, from), Math.min(spectrum.length / 2 - 1, to))
-                .mapToDouble(k -> spectrum[2 * k] * spectrum[2 * k] + spectrum[2 * k + 1] * spectrum[2 * k + 1]).average().orElseThrow();
+    /** Mean power about a line, of as many lines as there are. */
+    private static double around(double[] power, int k) {
+        int from = Math.max(0, k - LINES);
+        int to = Math.min(power.length - 1, k + LINES);
+        double sum = 0;
+        for (int i = from; i <= to; i++) {
+            sum += power[i];
+        }
+        return sum / (to - from + 1);
+    }
+
+    /** Power by line of a spectrum. */
+    private static double[] power(double[] spectrum) {
+        double[] out = new double[spectrum.length / 2];
+        Arrays.setAll(out, k -> spectrum[2 * k] * spectrum[2 * k] + spectrum[2 * k + 1] * spectrum[2 * k + 1]);
+        return out;
     }
 }
