@@ -177,8 +177,7 @@ final class Profile {
 
     private double[] clamped(double[] x) {
         for (int i = 0; i < x.length; i++) {
-            Knob knob = best.candidate().knobs().get(i);
-            x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i]));
+            x[i] = best.candidate().knobs().get(i).within(x[i]);
         }
         return x;
     }

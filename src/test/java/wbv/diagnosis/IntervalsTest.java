@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Model;
+import wbv.body.Spectra;
 import wbv.body.law.CoulombFriction;
 import wbv.body.law.CubicSpring;
 import wbv.body.law.Law;
@@ -31,7 +32,6 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
-import wbv.diagnosis.fit.Remainder;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
@@ -106,7 +106,7 @@ class IntervalsTest {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         channels.put(BASE, noisy(base, random));
         for (int o = 0; o < y.length; o++) {
-            Remainder.add(y[o], way[o], stir);
+            Spectra.addProduct(way[o], stir, 1, y[o]);
             double gain = 1 + gains * random.nextGaussian();
             channels.put(OUTPUTS.get(o), noisy(Arrays.stream(excitation.series(y[o])).map(v -> gain * v).toArray(), random));
         }

@@ -86,7 +86,7 @@ public final class Baseline {
                 Knob knob = baseline.knobs().get(i);
                 double by = knob.slot().kind() == Slot.Kind.DAMPING ? shift[0] : knob.slot().kind() == Slot.Kind.STIFFNESS
                         ? shift[1] : 0;
-                x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + by));
+                x[i] = knob.within(x[i] + by);
             }
             starts.add(x);
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
+import wbv.body.Spectra;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -63,9 +64,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
             for (Knob.Tied each : tied) {
                 double[][] more = slopes[each.slot().index(template)];
                 for (int o = 0; o < out.length; o++) {
-                    for (int k = 0; k < out[o].length; k++) {
-                        out[o][k] += each.factor() * more[o][k];
-                    }
+                    Spectra.add(out[o], more[o], each.factor());
                 }
             }
         }
@@ -108,7 +107,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
 
     /** Coordinates [1], one a knob, at which every knob stands at its reference, or at the nearest bound. */
     public double[] start() {
-        return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
+        return knobs.stream().mapToDouble(knob -> knob.within(0)).toArray();
     }
 
     /**

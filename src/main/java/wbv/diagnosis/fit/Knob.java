@@ -124,6 +124,15 @@ public record Knob(String name, Slot slot, double reference, double unit, double
      */
     public double coordinate(double value) {
         double x = unit == 0 ? Math.log(value / reference) : (value - reference) / unit;
+        return within(x);
+    }
+
+    /**
+     * The nearest coordinate [1] within bounds.
+     *
+     * @param x [1]
+     */
+    public double within(double x) {
         return Math.max(low, Math.min(high, x));
     }
 

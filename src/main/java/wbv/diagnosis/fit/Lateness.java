@@ -1,6 +1,7 @@
 package wbv.diagnosis.fit;
 
 import java.util.function.IntToDoubleFunction;
+import wbv.body.Spectra;
 import wbv.body.simulate.Simulator;
 
 /**
@@ -15,7 +16,7 @@ public record Lateness(double[][] factors) {
         double[][] out = of(response.outputs());
         for (int o = 0; o < out.length; o++) {
             double[] recorded = response.recorded()[o];
-            double[] twice = recorded.length == 0 || factors[o].length == 0 ? new double[0] : product(recorded, factors[o]);
+            double[] twice = recorded.length == 0 || factors[o].length == 0 ? new double[0] : Spectra.product(recorded, factors[o]);
             for (int k = 0; k < twice.length; k++) {
                 out[o][k] += recorded[k] - twice[k];
             }
@@ -31,7 +32,7 @@ public record Lateness(double[][] factors) {
     public double[][] of(double[][] simulated) {
         double[][] out = simulated.clone();
         for (int o = 0; o < out.length; o++) {
-            out[o] = factors[o].length == 0 ? out[o] : product(out[o], factors[o]);
+            out[o] = factors[o].length == 0 ? out[o] : Spectra.product(out[o], factors[o]);
         }
         return out;
     }
@@ -49,13 +50,6 @@ public record Lateness(double[][] factors) {
             out[2 * k] = gain * Math.cos(omega.applyAsDouble(k) * delay);
             out[2 * k + 1] = -gain * Math.sin(omega.applyAsDouble(k) * delay);
         }
-        return out;
-    }
-
-    /** Spectra multiplied line by line, in the product of their units. Neither is modified. */
-    static double[] product(double[] x, double[] y) {
-        double[] out = new double[x.length];
-        Remainder.add(out, x, y);
         return out;
     }
 }

@@ -169,9 +169,9 @@ public final class Motion implements ModulatorSeries.Links {
     }
 
     /**
-     * Root mean square displacement of a link up to a sample [m].
+     * Root mean square of the values up to a sample, in their unit.
      *
-     * @param x by sample [m]. Not modified.
+     * @param x series of any unit. Not modified.
      */
     public static double rms(double[] x, int to) {
         return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));

@@ -238,8 +238,7 @@ public final class Normal {
         }
         double[] next = x.clone();
         for (int i = 0; i < n; i++) {
-            Knob knob = candidate.knobs().get(i);
-            next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
+            next[i] = candidate.knobs().get(i).within(next[i] - scale * step[i]);
         }
         return next;
     }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Drive;
+import wbv.body.Spectra;
 import wbv.diagnosis.algebra.BoundedLeastSquares;
 import wbv.diagnosis.algebra.Columns;
 import wbv.body.simulate.Excitation;
@@ -175,7 +176,7 @@ public final class Nuisances {
             double delay = error.isDelay() && !error.isInput() ? error.deviation(sample) * sizes[i] : 0;
             if (gain != 1 || delay != 0) {
                 double[] factor = Lateness.factor(window.lines(), line -> 2 * Math.PI * window.frequency(line), gain, delay);
-                out[error.owner()] = Lateness.product(out[error.owner()], factor);
+                out[error.owner()] = Spectra.product(out[error.owner()], factor);
             }
         }
         return out;

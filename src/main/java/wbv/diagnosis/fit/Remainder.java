@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.LawAt;
+import wbv.body.Spectra;
 import wbv.body.Structure;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
@@ -83,9 +84,7 @@ public final class Remainder {
             LawAt at = full.laws().get(i);
             double[][] answer = at.law().isLinear() || own(at) ? new double[0][] : linear.answerTo(at.link(), response.forces()[i]);
             for (int o = 0; o < answer.length; o++) {
-                for (int k = 0; k < answer[o].length; k++) {
-                    out[o][k] += answer[o][k];
-                }
+                Spectra.add(out[o], answer[o], 1);
             }
         }
         return out;
@@ -100,29 +99,22 @@ public final class Remainder {
     /** The force of what was added at the place [N] or [N m], a spectrum, as the fit has it. */
     public double[] force() {
         double[] out = new double[2 * excitation.omega().length];
-        double[] one = new double[out.length];
-        for (int k = 0; k < out.length; k += 2) {
-            one[k] = 1;
-        }
         for (int i = 0; i < full.laws().size(); i++) {
             if (own(full.laws().get(i))) {
-                add(out, one, response.forces()[i]);
+                Spectra.add(out, response.forces()[i], 1);
             }
         }
         Structure s = full.structure();
         for (int l = user.structure().links(); l < s.links(); l++) {
             if (onBody && s.from()[l] == place) {
-                double[] stiffness = new double[out.length];
-                for (int k = 0; k < excitation.omega().length; k++) {
-                    stiffness[2 * k] = s.stiffness()[l];
-                    stiffness[2 * k + 1] = excitation.omega()[k] * s.damping()[l];
-                }
-                add(out, stiffness, response.stretch()[l]);
+                double[] stretch = response.stretch()[l];
+                Spectra.add(out, stretch, s.stiffness()[l]);
+                Spectra.add(out, Spectra.timesJOmega(excitation.omega(), stretch), s.damping()[l]);
             }
         }
         for (int i = user.drives().size(); i < full.drives().size(); i++) {
             if (onBody && full.drives().get(i).place() == place && full.drives().get(i).drive() instanceof Drive.Tone tone) {
-                add(out, one, excitation.spectrum(series(tone)));
+                Spectra.add(out, excitation.spectrum(series(tone)), 1);
             }
         }
         return out;
@@ -135,19 +127,5 @@ public final class Remainder {
     private double[] series(Drive.Tone tone) {
         return IntStream.range(0, excitation.samples()).mapToDouble(i -> 2 * Math.PI * tone.frequency() * i / excitation.rate())
                 .map(phase -> tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase)).toArray();
-    }
-
-    /**
-     * target += x y, line by line.
-     *
-     * @param x spectrum of any unit
-     * @param y spectrum of any unit
-     * @param target spectrum in the product of the units of x and y. Modified; x and y are not.
-     */
-    public static void add(double[] target, double[] x, double[] y) {
-        for (int i = 0; i < x.length; i += 2) {
-            target[i] += x[i] * y[i] - x[i + 1] * y[i + 1];
-            target[i + 1] += x[i] * y[i + 1] + x[i + 1] * y[i];
-        }
     }
 }

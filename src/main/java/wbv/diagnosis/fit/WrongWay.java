@@ -3,6 +3,7 @@ package wbv.diagnosis.fit;
 import java.util.ArrayList;
 import java.util.function.Supplier;
 import wbv.body.Assembly;
+import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.measured.SmallError;
@@ -54,14 +55,16 @@ final class WrongWay {
         for (int link : links) {
             double[] force = new double[2 * excitation.omega().length];
             for (int law = 0; law < response.forces().length; law++) {
-                for (int k = 0; k < force.length && assembly.laws().get(law).link() == link; k++) {
-                    force[k] += response.forces()[law][k];
+                if (assembly.laws().get(law).link() == link) {
+                    Spectra.add(force, response.forces()[law], 1);
                 }
             }
             // What the link's own spring and dashpot give way to a law does not leave the link.
             double stiffness = assembly.structure().stiffness()[link] - candidate.given(Slot.of(Slot.Kind.STIFFNESS, link));
             double damping = assembly.structure().damping()[link] - candidate.given(Slot.of(Slot.Kind.DAMPING, link));
-            add(force, excitation.omega(), response.stretch()[link], stiffness, damping);
+            double[] stretch = response.stretch()[link];
+            Spectra.add(force, stretch, stiffness);
+            Spectra.add(force, Spectra.timesJOmega(excitation.omega(), stretch), damping);
             double[] series = excitation.series(swinging(excitation.omega(), force));
             double[][] way = linear.ofLinkForce(link);
             for (int o = 0; o < way.length; o++) {
@@ -73,14 +76,6 @@ final class WrongWay {
             }
         }
         return all;
-    }
-
-    /** What a spring and a dashpot add to a force where they are so much stronger. */
-    private static void add(double[] force, double[] omega, double[] stretch, double stiffness, double damping) {
-        for (int k = 0; k < omega.length; k++) {
-            force[2 * k] += stiffness * stretch[2 * k] - damping * omega[k] * stretch[2 * k + 1];
-            force[2 * k + 1] += stiffness * stretch[2 * k + 1] + damping * omega[k] * stretch[2 * k];
-        }
     }
 
     /**

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
+import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -98,20 +99,14 @@ public final class LatentEstimator {
         double[][] out = remainder.outputs(bodies);
         double[][] answer = remainder.answer(bodies);
         for (int b = 0; b < out.length; b++) {
-            Remainder.add(out[b], answer[b], force);
+            Spectra.addProduct(answer[b], force, 1, out[b]);
         }
         return out;
     }
 
     private double[] stretch(double[][] acceleration) {
-        double[] relative = whole.stretching(bare.structure(), place, acceleration);
-        double[] out = new double[relative.length];
-        for (int k = 1; k < whole.omega().length; k++) {
-            double w2 = whole.omega()[k] * whole.omega()[k];
-            out[2 * k] = -relative[2 * k] / w2;
-            out[2 * k + 1] = -relative[2 * k + 1] / w2;
-        }
-        return out;
+        double[] velocity = Spectra.overJOmega(whole.omega(), whole.stretching(bare.structure(), place, acceleration));
+        return Spectra.overJOmega(whole.omega(), velocity);
     }
 
     /** Measured minus simulated, spectra. */

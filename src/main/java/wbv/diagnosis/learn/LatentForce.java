@@ -1,6 +1,8 @@
 package wbv.diagnosis.learn;
 
+import java.util.Arrays;
 import wbv.body.Assembly;
+import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
 import wbv.diagnosis.fit.Windows;
 
@@ -51,6 +53,13 @@ public final class LatentForce {
     /** The force, by sample [N]. */
     public double[] force() {
         return whole.series(estimate.force());
+    }
+
+    /** The same [N], NaN where it is not known. */
+    public double[] knownForce() {
+        double[] out = force();
+        Arrays.setAll(out, i -> known(i) ? out[i] : Double.NaN);
+        return out;
     }
 
     /** What the law that was found says of it, by sample [N]; zero where none was. */
@@ -144,12 +153,6 @@ public final class LatentForce {
     }
 
     private double[] speed() {
-        double[] r = estimate.stretch();
-        double[] v = new double[r.length];
-        for (int k = 0; k < whole.omega().length; k++) {
-            v[2 * k] = -whole.omega()[k] * r[2 * k + 1];
-            v[2 * k + 1] = whole.omega()[k] * r[2 * k];
-        }
-        return v;
+        return Spectra.timesJOmega(whole.omega(), estimate.stretch());
     }
 }

@@ -120,7 +120,7 @@ public final class Refinement {
                 Fitter.State start = best;
                 for (double shift : SHIFTS) {
                     double[] x = start.x().clone();
-                    x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + shift));
+                    x[i] = knob.within(x[i] + shift);
                     Fitter.State look = fitter.look(start.candidate(), x, start.frame());
                     best = look.cost() < best.cost() ? look : best;
                 }

@@ -100,7 +100,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
             double[] own = base.start();
             for (int i = 0; i < own.length; i++) {
                 Knob knob = base.knobs().get(i);
-                own[i] = knob.unit() == 0 ? Math.max(knob.low(), Math.min(knob.high(), own[i] + gain)) : own[i];
+                own[i] = knob.unit() == 0 ? knob.within(own[i] + gain) : own[i];
             }
             for (Start start : score.hypothesis().starts()) {
                 fits.add(ground.fitter().fit(with, base.extended(own, with, score.hypothesis(), start.values()), ground.base().frame(),

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import wbv.body.Spectra;
 import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -68,7 +69,7 @@ record PlaneSpectra(double[] omega, double[][] base, List<Output> outputs) {
         double[][] base = new double[MOTIONS][2 * kept.length];
         for (Channel axis : axes) {
             double[] own = every(spectrum(together, axis), step, lines);
-            base[motion(axis)] = turns(axis) ? accelerations(own, kept) : own;
+            base[motion(axis)] = turns(axis) ? Spectra.timesJOmega(kept, own) : own;
         }
         List<Output> fitted = new ArrayList<>();
         for (int o = 0; o < outputs.size(); o++) {
@@ -91,15 +92,6 @@ record PlaneSpectra(double[] omega, double[][] base, List<Output> outputs) {
     private static double[] every(double[] spectrum, int step, int lines) {
         return IntStream.iterate(1, k -> k < lines, k -> k + step).flatMap(k -> IntStream.of(2 * k, 2 * k + 1))
                 .mapToDouble(i -> spectrum[i]).toArray();
-    }
-
-    private static double[] accelerations(double[] rates, double[] omega) {
-        double[] out = new double[rates.length];
-        for (int k = 0; k < omega.length; k++) {
-            out[2 * k] = -omega[k] * rates[2 * k + 1];
-            out[2 * k + 1] = omega[k] * rates[2 * k];
-        }
-        return out;
     }
 
     /**
