@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
@@ -9,6 +10,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Readings;
 import wbv.diagnosis.fit.Window;
 import wbv.recording.Channel;
+import wbv.signal.LostSamples;
 
 /**
  * The data held out beside what the last model makes of them: what the errors of {@link Diagnosis.Fit#channels} are errors of. The root
@@ -30,13 +32,9 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
         Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
         double[][] model = new Simulator(whole).outputs(diagnosis.model().assembly());
         double[][] read = new Readings(evidence).of(chosen);
-        double[][] recorded = new double[read.length][held.length()];
-        for (int o = 0; o < recorded.length; o++) {
-            double[] measured = evidence.measured(o);
-            boolean[] valid = evidence.valid(o);
-            Arrays.setAll(recorded[o], i -> valid[held.start() + i] ? measured[held.start() + i] : Double.NaN);
-        }
-        return new Predicted(time, evidence.outputs(), recorded, part(model, held), part(read, held));
+        double[][] recorded = IntStream.range(0, read.length).mapToObj(o -> LostSamples.marked(evidence.measured(o), evidence.valid(o)))
+                .toArray(double[][]::new);
+        return new Predicted(time, evidence.outputs(), part(recorded, held), part(model, held), part(read, held));
     }
 
     /**

@@ -50,6 +50,16 @@ public final class LostSamples {
     }
 
     /**
+     * A series in its own unit, NaN where it does not count: a new array.
+     *
+     * @param x a series of any unit
+     * @param valid samples that count. Neither is modified.
+     */
+    public static double[] marked(double[] x, boolean[] valid) {
+        return IntStream.range(0, x.length).mapToDouble(i -> valid[i] ? x[i] : Double.NaN).toArray();
+    }
+
+    /**
      * A series in its own unit without gaps; the array itself if it has none, zero if it has nothing else.
      *
      * @param x a series of any unit, NaN where lost. Not modified.

@@ -152,7 +152,7 @@ public final class Measured {
         return input;
     }
 
-    /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
+    /** The series that was measured at an output, of a sitter without its mean, gaps filled, in its unit. Not a copy. */
     public double[] series(int output) {
         return outputs.get(output).series();
     }

@@ -47,21 +47,16 @@ record MeasuredOutput(Channel channel, double[] series, double mean, boolean[] v
         double[] raw = slowed.values(channel);
         Dropouts dropouts = new Dropouts(recorded, channel);
         boolean[] valid = slowed == recorded ? dropouts.valid() : present(raw);
-        double[] counted = raw.clone();
-        for (int i = 0; i < counted.length; i++) {
-            valid[i] = valid[i] && driven[i];
-            counted[i] = valid[i] ? raw[i] : Double.NaN;
+        for (int i = 0; i < valid.length; i++) {
+            valid[i] &= driven[i];
         }
+        double[] counted = LostSamples.marked(raw, valid);
         return new MeasuredOutput(channel, LostSamples.centred(counted), LostSamples.mean(counted), valid, dropouts.found());
     }
 
     /** The series by sample [unit of the channel], NaN where it does not count: a new array. */
     double[] read() {
-        double[] out = series.clone();
-        for (int i = 0; i < out.length; i++) {
-            out[i] = valid[i] ? out[i] : Double.NaN;
-        }
-        return out;
+        return LostSamples.marked(series, valid);
     }
 
     private static boolean[] present(double[] x) {

@@ -50,10 +50,7 @@ public final class SitterRate {
 
     /** @param valid samples that count. Neither is modified. */
     private static double[] slowed(double[] x, boolean[] valid, int up, int down) {
-        double[] counted = x.clone();
-        for (int i = 0; i < x.length; i++) {
-            counted[i] = valid[i] ? x[i] : Double.NaN;
-        }
+        double[] counted = LostSamples.marked(x, valid);
         double[] out = BandlimitedResampler.resample(LostSamples.filled(counted), up, down);
         for (int k = 0; k < out.length; k++) {
             int from = Math.max(0, (int) Math.ceil((double) (k - 1) * down / up));

@@ -1,13 +1,11 @@
 package wbv.diagnosis.picture;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.learn.LatentForce;
-import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;
 
 /** The latent force on a body over frequency and time, or as the mass that it is felt as. */
@@ -46,15 +44,7 @@ final class BodyPortraits {
         out.add(new Portrait("Force on " + where + " over frequency", Portrait.Scale.of("Frequency", "Hz"),
                 Portrait.Scale.of("Amplitude", "N"), lines,
                 "Amplitude of a steady tone at each frequency, from the whole record (" + spacing + ")."));
-        int from = evidence.heldOut().start();
-        int count = Clouds.shown(evidence);
-        double[] time = IntStream.range(from, from + count).mapToDouble(evidence.recording()::elapsed).toArray();
-        List<Portrait.Trail> histories = new ArrayList<>();
-        histories.add(Portrait.Trail.measured("force that the recording asks for", time,
-                Arrays.copyOfRange(force, from, from + count), new double[0]));
-        if (named) {
-            histories.add(Portrait.Trail.law("force found", time, Arrays.copyOfRange(law, from, from + count)));
-        }
+        List<Portrait.Trail> histories = Clouds.histories(evidence, force, "force found", law).subList(0, named ? 2 : 1);
         out.add(new Portrait("Force on " + where + " over time", Portrait.Scale.of("Time", "s"),
                 Portrait.Scale.of("Force", "N"), histories, Clouds.noted(latent, "Held-out part.")));
         return out;
@@ -90,9 +80,9 @@ final class BodyPortraits {
 
     /** Force over acceleration: the mass that answers at each frequency. */
     Portrait mass() {
-        List<Portrait.Trail> trails = OutputCharts.response(latent.bodyAcceleration(), new double[][] {known(latent.force()),
+        List<Portrait.Trail> trails = OutputCharts.response(latent.bodyAcceleration(), new double[][] {latent.knownForce(),
             latent.law()}, rate).map(h -> {
-                int[] shown = shown(h.get(0), 1.5);
+                int[] shown = OutputCharts.usable(evidence, h.get(0), 1.5);
                 double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
                 double[] mass = OutputCharts.pick(h.get(0).h1().magnitudes(), shown);
                 double[] error = OutputCharts.pick(h.get(0).error(), shown);
@@ -105,15 +95,5 @@ final class BodyPortraits {
                 Portrait.Scale.of("Force over acceleration", "kg"), trails,
                 "A mass on a spring is felt as itself at low frequencies, more at its "
                         + "resonance, and not at all far above it.");
-    }
-
-    private double[] known(double[] series) {
-        return IntStream.range(0, series.length).mapToDouble(i -> latent.known(i) ? series[i] : Double.NaN).toArray();
-    }
-
-    private int[] shown(FrequencyResponse h, double from) {
-        double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-        return IntStream.range(0, h.frequency().length).filter(k -> h.frequency()[k] >= from && h.frequency()[k] <= top
-                && h.usable()[k]).toArray();
     }
 }

@@ -83,11 +83,16 @@ final class Clouds {
         return IntStream.of(at).mapToDouble(i -> unit * values[i]).toArray();
     }
 
-    /** Samples of the held-out part, from its start, that are shown over time. */
-    static int shown(Evidence evidence) {
+    /** A force over the beginning of the held-out part, and what was found of it. */
+    static List<Portrait.Trail> histories(Evidence evidence, double[] force, String name, double[] law) {
         double rate = evidence.recording().clock().rate();
         double held = evidence.heldOut().length();
-        return (int) Math.round(Math.min(SHOWN * rate, held - Math.min(LAST * rate, QUARTER * held)));
+        int from = evidence.heldOut().start();
+        int to = from + (int) Math.round(Math.min(SHOWN * rate, held - Math.min(LAST * rate, QUARTER * held)));
+        double[] time = IntStream.range(from, to).mapToDouble(evidence.recording()::elapsed).toArray();
+        return List.of(
+                Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, to), new double[0]),
+                Portrait.Trail.law(name, time, Arrays.copyOfRange(law, from, to)));
     }
 
     /** What is said of a picture, with how far the sensors' noise scatters a sample of the force. */

@@ -32,7 +32,7 @@ final class DrivePortraits {
             return new Portrait("Lift of " + where + " over the tilt of " + rotation.rate().location(),
                     Portrait.Scale.of("Tilt about " + rotation.rate().axis(), "mrad"),
                     Portrait.Scale.of("Lift that the recording asks for", "mm"),
-                    line(tilt, integrated(latent.lift(link), 0), 1e3, rotation.arm(), slope),
+                    line(tilt, 1e3, integrated(latent.lift(link), 0), 1e3, rotation.arm(), slope),
                     "Tilt from the measured rate, above 1 Hz. The slope is the lever arm.");
         }
         double across = drive instanceof Drive.Swings swings ? swings.stiffness() : ((Drive.CrossAxis) drive).stiffness();
@@ -40,33 +40,30 @@ final class DrivePortraits {
         return new Portrait("Force in " + where + " over the motion across",
                 Portrait.Scale.of("Relative displacement across", "mm"),
                 Portrait.Scale.of("Force that the recording asks for", "N"),
-                line(stretched(drive), integrated(latent.force(), 0), 1, across, slope),
+                line(stretched(drive), 1e3, integrated(latent.force(), 0), 1, across, slope),
                 Clouds.noted(latent, "Above 1 Hz. The slope is the stiffness across."));
     }
 
     /** The force at a place over the acceleration across that is said to cause it. */
     Portrait over(Drive.Across drive) {
-        double[] a = integrated(evidence.series(drive.across()), 0);
-        double mass = drive.mass();
-        List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(a, 1, integrated(latent.force(), 0), 1));
-        double end = Arrays.stream(a).map(Math::abs).max().orElse(1);
-        trails.add(Portrait.Trail.law(String.format(Locale.ROOT, "coupled mass %.3g kg", mass).replace('-', '−'),
-                new double[] {-end, end}, new double[] {-end * mass, end * mass}));
+        String slope = String.format(Locale.ROOT, "coupled mass %.3g kg", drive.mass()).replace('-', '−');
         return new Portrait("Force at " + where + " over the acceleration of " + drive.across(),
-                Portrait.Scale.of("Acceleration across", "m/s²"), Portrait.Scale.of("Force that the recording asks for", "N"), trails,
+                Portrait.Scale.of("Acceleration across", "m/s²"), Portrait.Scale.of("Force that the recording asks for", "N"),
+                line(integrated(evidence.series(drive.across()), 0), 1, integrated(latent.force(), 0), 1, drive.mass(), slope),
                 Clouds.noted(latent, "Above 1 Hz. The slope is the coupled mass."));
     }
 
     /**
-     * Samples of y over x, shown in thousandths, and a straight line.
+     * Samples of y over x, and a straight line.
      *
-     * @param unit factor of y to the unit shown
+     * @param xUnit factor of x to the unit shown
+     * @param yUnit likewise
      */
-    private List<Portrait.Trail> line(double[] x, double[] y, double unit, double slope, String name) {
-        List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(x, 1e3, y, unit));
+    private List<Portrait.Trail> line(double[] x, double xUnit, double[] y, double yUnit, double slope, String name) {
+        List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(x, xUnit, y, yUnit));
         double end = Arrays.stream(x).map(Math::abs).max().orElse(1);
-        trails.add(Portrait.Trail.law(name, new double[] {-end * 1e3, end * 1e3},
-                new double[] {-end * slope * unit, end * slope * unit}));
+        trails.add(Portrait.Trail.law(name, new double[] {-end * xUnit, end * xUnit},
+                new double[] {-end * slope * yUnit, end * slope * yUnit}));
         return trails;
     }
 

@@ -25,14 +25,9 @@ final class DynamicStiffness {
 
     /** Its real and its imaginary part, measured and as the law has it; none where the recording is too short to tell. */
     List<Portrait> portraits() {
-        double[] force = latent.force();
-        double[] known = IntStream.range(0, force.length).mapToDouble(i -> latent.known(i) ? force[i] : Double.NaN).toArray();
         double rate = evidence.recording().clock().rate();
-        return OutputCharts.response(latent.displacement(), new double[][] {known, latent.law()}, rate).map(h -> {
-            double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-            int[] shown = IntStream.range(0, h.get(0).frequency().length)
-                    .filter(k -> h.get(0).frequency()[k] >= 1.2 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
-                    .toArray();
+        return OutputCharts.response(latent.displacement(), new double[][] {latent.knownForce(), latent.law()}, rate).map(h -> {
+            int[] shown = OutputCharts.usable(evidence, h.get(0), 1.2);
             double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
             List<Portrait> out = new ArrayList<>();
             for (int part = 0; part < 2; part++) {

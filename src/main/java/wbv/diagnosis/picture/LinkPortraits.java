@@ -95,15 +95,9 @@ final class LinkPortraits {
     /** A law that was learned, beside the force that the recording asks for with no law assumed. */
     List<Portrait> learned() {
         double[] law = latent.lawInBand();
-        int from = evidence.heldOut().start();
-        int count = Clouds.shown(evidence);
-        double[] time = IntStream.range(from, from + count).mapToDouble(evidence.recording()::elapsed).toArray();
         List<Portrait> out = new ArrayList<>();
-        out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside, List.of(
-                Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count),
-                        new double[0]),
-                Portrait.Trail.law("law found", time, Arrays.copyOfRange(law, from, from + count))),
-                "Held-out part, through the sensors' band."));
+        out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside,
+                Clouds.histories(evidence, force, "law found", law), "Held-out part, through the sensors' band."));
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(law, 1, force, 1));
         double end = Arrays.stream(known(law)).map(Math::abs).max().orElse(1);
         trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end},

@@ -14,6 +14,7 @@ import wbv.recording.Channel;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
 import wbv.signal.FrequencyResponse;
+import wbv.signal.LostSamples;
 import wbv.signal.RealDft;
 import wbv.signal.Segmentation;
 
@@ -51,12 +52,12 @@ final class OutputCharts {
         Window held = evidence.heldOut();
         int from = held.start();
         int to = Math.min(from + held.length(), evidence.recording().unbroken(from));
-        double[] measured = Arrays.copyOfRange(evidence.measured(o), from, to);
-        for (int i = from; i < to; i++) {
-            measured[i - from] = evidence.valid(o)[i] ? measured[i - from] : Double.NaN;
-        }
-        return new Pictures.Traces(evidence.recording().elapsed(from), 1 / rate, measured, Arrays.copyOfRange(before[o], from, to),
-                Arrays.copyOfRange(after[o], from, to));
+        return new Pictures.Traces(evidence.recording().elapsed(from), 1 / rate, Arrays.copyOfRange(counted(o), from, to),
+                Arrays.copyOfRange(before[o], from, to), Arrays.copyOfRange(after[o], from, to));
+    }
+
+    private double[] counted(int o) {
+        return LostSamples.marked(evidence.measured(o), evidence.valid(o));
     }
 
     private double nrmse(int o) {
@@ -132,11 +133,7 @@ final class OutputCharts {
     private Optional<Pictures.Transfer> transfer(int o) {
         Channel input = input();
         double[] base = evidence.series(input);
-        double[] measured = evidence.measured(o).clone();
-        for (int i = 0; i < measured.length; i++) {
-            measured[i] = evidence.valid(o)[i] ? measured[i] : Double.NaN;
-        }
-        return response(base, new double[][] {measured, before[o], after[o]}, rate).map(h -> {
+        return response(base, new double[][] {counted(o), before[o], after[o]}, rate).map(h -> {
             int[] shown = IntStream.range(0, h.get(0).frequency().length).filter(k -> h.get(0).frequency()[k] >= LOWEST
                     && h.get(0).frequency()[k] <= evidence.fit().frequency(evidence.fit().lines() - 1)).toArray();
             boolean[] usable = new boolean[shown.length];
@@ -171,6 +168,13 @@ final class OutputCharts {
             out.add(spectra.response(o, FrequencyResponse.Excited.USUAL));
         }
         return Optional.of(out);
+    }
+
+    /** Usable lines from a frequency [Hz] to the highest that is fitted. */
+    static int[] usable(Evidence evidence, FrequencyResponse h, double from) {
+        double top = evidence.fit().frequency(evidence.fit().lines() - 1);
+        return IntStream.range(0, h.frequency().length)
+                .filter(k -> h.frequency()[k] >= from && h.frequency()[k] <= top && h.usable()[k]).toArray();
     }
 
     static double[] pick(double[] values, int[] at) {

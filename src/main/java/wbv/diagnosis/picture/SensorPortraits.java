@@ -11,6 +11,7 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.signal.FrequencyResponse;
+import wbv.signal.LostSamples;
 
 /** What a sensor makes of the motion that it should read, which the other sensors and the model tell. */
 final class SensorPortraits {
@@ -74,13 +75,9 @@ final class SensorPortraits {
 
     /** Gain and phase from what it should read to what it reads. */
     private List<Portrait> response(boolean named) {
-        double[] counted = IntStream.range(0, measured.length).mapToDouble(i -> evidence.valid(output)[i] ? measured[i]
-                : Double.NaN).toArray();
+        double[] counted = LostSamples.marked(measured, evidence.valid(output));
         return OutputCharts.response(right, new double[][] {counted, found}, rate).map(h -> {
-            double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-            int[] shown = IntStream.range(0, h.get(0).frequency().length)
-                    .filter(k -> h.get(0).frequency()[k] >= 0.5 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
-                    .toArray();
+            int[] shown = OutputCharts.usable(evidence, h.get(0), 0.5);
             double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
             double[] gain = OutputCharts.pick(h.get(0).h1().magnitudes(), shown);
             double[] error = OutputCharts.pick(h.get(0).error(), shown);

@@ -14,6 +14,7 @@ import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Slot;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.signal.LostSamples;
 
 /** Moves masses and springs of bodies along one axis, far from where they start if need be: each round begins where the last one ended. */
 final class ChainFit {
@@ -70,11 +71,8 @@ final class ChainFit {
         double[][] simulated = new Simulator(evidence.whole()).outputs(model.assembly());
         Map<Channel, Double> errors = new LinkedHashMap<>();
         for (int o = 0; o < simulated.length; o++) {
-            double[] counted = evidence.measured(o).clone();
-            for (int i = 0; i < counted.length; i++) {
-                counted[i] = evidence.valid(o)[i] ? counted[i] : Double.NaN;
-            }
-            errors.put(evidence.outputs().get(o), Missed.settledShare(counted, simulated[o], evidence.recording().clock().rate()));
+            errors.put(evidence.outputs().get(o), Missed.settledShare(LostSamples.marked(evidence.measured(o), evidence.valid(o)),
+                    simulated[o], evidence.recording().clock().rate()));
         }
         return errors;
     }
