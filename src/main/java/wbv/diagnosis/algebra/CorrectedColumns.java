@@ -44,11 +44,6 @@ public final class CorrectedColumns {
         return corrections.isEmpty();
     }
 
-    /** The vectors that they were at first. */
-    public Columns plain() {
-        return columns;
-    }
-
     /**
      * Products with a vector: by vector, in their units multiplied.
      *

@@ -220,17 +220,4 @@ public final class Fitter {
         State whole = look(first.candidate(), last.x(), first.frame()).withSlopes(last.slopes());
         return whole.cost() < first.cost() ? whole : first;
     }
-
-    /**
-     * The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there.
-     *
-     * @param start coordinates [1], one a knob. Not modified.
-     * @param tolerance relative gain below which a fit ends
-     */
-    public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        return runs.of(candidate, start, Sensitivities.ALL, Optional.empty())
-                .map(begun -> new Descent(residuals, begun.bends(), most, tolerance)
-                        .from(residuals.withSlopes(candidate, start.clone(), frame, begun, Residuals.NO_SLOPES)))
-                .orElseGet(() -> State.failed(candidate, start, frame));
-    }
 }

@@ -102,11 +102,6 @@ public final class Whitening {
         return window;
     }
 
-    /** Number of outputs at every line. */
-    int outputs() {
-        return outputs;
-    }
-
     /** Number of independent numbers: two for every line and output. */
     public int size() {
         return 2 * outputs * window.lines();

@@ -7,10 +7,9 @@ import wbv.signal.ScalarProduct;
 /**
  * The steps in which a sensor reads, as its values show them: all are whole numbers of steps apart.
  *
- * @param step  [the channel's unit]
- * @param level one of the values that it can have, in that unit
+ * @param step [the channel's unit]
  */
-public record Rounding(double step, double level) {
+public record Rounding(double step) {
 
     /** So often each value comes at least, on average, where a sensor has steps that a recording shows. */
     private static final int OFTEN = 4;
@@ -44,7 +43,7 @@ public record Rounding(double step, double level) {
         double step = (sorted[sorted.length - 1] - sorted[0]) / Math.round((sorted[sorted.length - 1] - sorted[0]) / least);
         double level = sorted[0];
         boolean whole = Arrays.stream(sorted).allMatch(value -> Math.abs((value - level) / step - Math.rint((value - level) / step)) < OFF);
-        return whole && !isSwitched(x, sorted, step) ? Optional.of(new Rounding(step, level)) : Optional.empty();
+        return whole && !isSwitched(x, sorted, step) ? Optional.of(new Rounding(step)) : Optional.empty();
     }
 
     /**

@@ -79,7 +79,7 @@ class BlindFitTest {
     void fewStepsLeadNearlyAsLowAsAFit() {
         for (Place place : Place.all(evidence)) {
             Fitter fitter = new Fitter(evidence.ignoring(place));
-            double fitted = fitter.glimpse(baseline, state.x(), fitter.frame(baseline, state.x(), evidence.fit()), 8, 2e-3).reduced();
+            double fitted = fitter.fit(baseline, state.x(), fitter.frame(baseline, state.x(), evidence.fit()), 8, 2e-3).reduced();
             Known.Ignoring found = blind.ignoring(List.of(place), 6);
             assertTrue(found.reduced() < blind.ignoring(List.of(place), 0).reduced(), place.toString());
             assertTrue(found.reduced() - 1 < 1.5 * Math.max(0.1, fitted - 1), place + ": " + found.reduced() + ", fitted " + fitted);

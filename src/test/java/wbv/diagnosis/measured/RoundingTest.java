@@ -18,7 +18,6 @@ class RoundingTest {
         double[] x = new Random(seed).doubles(4000).map(v -> level + step * Math.rint(20 * (v - 0.5))).toArray();
         Rounding found = Rounding.of(x).orElseThrow();
         assertEquals(step, found.step(), 1e-6 * step);
-        assertEquals(0, Math.IEEEremainder(found.level() - level, step), 1e-6 * step);
         assertTrue(Rounding.coarse(x).isPresent());
     }
 
