@@ -24,6 +24,7 @@ import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.OddSensor;
 import wbv.diagnosis.search.OwnNumbers;
@@ -78,7 +79,7 @@ final class Imitations {
     public Optional<Weighed> in(Fitter.State base) {
         Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
         List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion));
-        double price = price(all);
+        double price = Chosen.price(all.stream());
         // Where no spring may have another stiffness, none imitates anything.
         List<Hypothesis> asked = springs(base).findAny().isEmpty() ? List.of()
                 : all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
@@ -139,7 +140,7 @@ final class Imitations {
         Whereabouts where = Whereabouts.anywhere(evidence, base.candidate())
                 .only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
         // A sensor that is later than sensors scatter looks like a memory, and a fit takes it for small errors of several.
-        List<Fitter.State> fits = Stream.of(imitated.stream(), new OddSensor(evidence, refinement).in(base).stream(),
+        List<Fitter.State> fits = Stream.of(imitated.stream(), new OddSensor(evidence, search).in(base).stream(),
                 search.leaders(base, Effort.LEADERS, where, 2 * price).stream().filter(fit -> !Refinement.extreme(fit)))
                 .flatMap(Function.identity()).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
@@ -162,12 +163,7 @@ final class Imitations {
         best.forEach((claim, nats) -> claims.add(new Posterior.Weighed(claim, Priors.MAJORITY * Math.exp(-price), nats)));
         List<Fitter.State> ranked = new ArrayList<>(likelier.keySet());
         ranked.sort(Comparator.comparingDouble(fit -> -likelier.get(fit)));
-        return new Weighed(ranked, Posterior.of(claims, 1).but(Calibration.standard().lapse(), Standing.UNKNOWN));
-    }
-
-    /** What the choice of one name among all costs [nat]. */
-    private static double price(List<Hypothesis> all) {
-        return Math.log(all.stream().map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count());
+        return new Weighed(ranked, Posterior.of(claims).but(Calibration.standard().lapse(), Claim.UNKNOWN));
     }
 
     /**

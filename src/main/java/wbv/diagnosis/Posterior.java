@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import wbv.signal.LogSum;
 
 /**
- * How likely each claim is once the data are seen: {@code π Z^(1/T)}, over all claims together 1.
+ * How likely each claim is once the data are seen: {@code π Z}, over all claims together 1.
  *
  * @param probabilities by claim, likeliest first
  */
@@ -17,7 +17,7 @@ record Posterior(Map<Claim, Double> probabilities) {
     Posterior {
         Map<Claim, Double> sorted = new LinkedHashMap<>();
         probabilities.entrySet().stream().sorted(Map.Entry.<Claim, Double>comparingByValue(Comparator.reverseOrder())
-                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name() + entry.getKey().like()))
+                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name()))
                 .forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
         double sum = sorted.values().stream().mapToDouble(Double::doubleValue).sum();
         if (!(Math.abs(sum - 1) < 1e-9)) {
@@ -34,16 +34,9 @@ record Posterior(Map<Claim, Double> probabilities) {
      */
     record Weighed(Claim claim, double prior, double evidence) {}
 
-    /**
-     * Of hypotheses, of which several may make the same claim.
-     *
-     * @param temperature by which evidence counts less than it says, since no model of noise is the last word; 1 where it is
-     */
-    static Posterior of(List<Weighed> all, double temperature) {
-        if (!(temperature > 0)) {
-            throw new IllegalArgumentException("temperature must be > 0: " + temperature);
-        }
-        double[] logs = all.stream().mapToDouble(one -> Math.log(one.prior()) + one.evidence() / temperature).toArray();
+    /** Of hypotheses, of which several may make the same claim. */
+    static Posterior of(List<Weighed> all) {
+        double[] logs = all.stream().mapToDouble(one -> Math.log(one.prior()) + one.evidence()).toArray();
         double sum = LogSum.of(logs, logs.length);
         Map<Claim, Double> out = new LinkedHashMap<>();
         for (int i = 0; i < logs.length; i++) {

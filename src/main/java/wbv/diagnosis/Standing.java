@@ -14,6 +14,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
@@ -23,8 +24,6 @@ import wbv.diagnosis.search.Refinement;
 
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
-
-    static final Claim UNKNOWN = Claim.elseAt("", "");
 
     private final Fits fits;
     private final Fitter.State base;
@@ -101,11 +100,6 @@ final class Standing {
     /** Part of the mismatch that the found mechanisms explain. */
     double explained() {
         return Refinement.explained(base, best);
-    }
-
-    /** How likely what was found is, and what else it may be. */
-    Posterior posterior() {
-        return posterior;
     }
 
     /** How likely what was found is; nothing where nothing was. */
@@ -213,7 +207,7 @@ final class Standing {
         // What stands for a simulation has numbers that nobody gave.
         List<Weight> out = fits.evidence().standsForSimulation() ? all : withNumbers(fits.evidence(), all);
         out.sort(Comparator.comparingDouble(Weight::sum).reversed());
-        out.add(new Weight(UNKNOWN, base, calibration.evidence(unlisted, least), out.get(0).numbers()));
+        out.add(new Weight(Claim.UNKNOWN, base, calibration.evidence(unlisted, least), out.get(0).numbers()));
         return out;
     }
 
@@ -224,18 +218,22 @@ final class Standing {
         double most = Double.NEGATIVE_INFINITY;
         for (Weight weight : all.stream().sorted(Comparator.comparingDouble(Weight::evidence).reversed()).toList()) {
             boolean matters = weight.evidence() > most - Effort.NEGLIGIBLE;
-            out.add(matters ? weight.withNumbers(OwnNumbers.logPrior(fitter, weight.fit())) : weight);
+            out.add(matters ? weight.withNumbers(
+                    evidence.known().once(new Own(weight.fit()), () -> OwnNumbers.logPrior(fitter, weight.fit()))) : weight);
             most = Math.max(most, out.get(out.size() - 1).sum());
         }
         return out;
     }
 
+    /** How likely a model's own numbers are in a fit. */
+    private record Own(Fitter.State fit) implements Known.Question<Double> {}
+
     /** Of every claim by the likeliest of its forms. */
     private Posterior posteriorOfAll() {
         Map<Claim, Double> strongest = new LinkedHashMap<>();
         weights.forEach(weight -> strongest.merge(weight.claim(), weight.sum(), Math::max));
-        return Posterior.of(strongest.entrySet().stream().map(each -> new Posterior.Weighed(each.getKey(), 1, each.getValue())).toList(), 1)
-                .but(Calibration.standard().lapse(), UNKNOWN);
+        return Posterior.of(strongest.entrySet().stream().map(each -> new Posterior.Weighed(each.getKey(), 1, each.getValue())).toList())
+                .but(Calibration.standard().lapse(), Claim.UNKNOWN);
     }
 
     /** How credible a hypothesis is by itself: what explains more is said first, whichever was added first. */

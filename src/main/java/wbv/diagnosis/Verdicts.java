@@ -72,7 +72,7 @@ final class Verdicts {
 
     /** A sensor that is later than sensors scatter. */
     private Optional<Explanation> lateSensor() {
-        return new OddSensor(evidence, grounds.refinement()).in(base).filter(this::isQuiet).map(fit -> {
+        return new OddSensor(evidence, grounds.search()).in(base).filter(this::isQuiet).map(fit -> {
             Values values = new Values(evidence, fit);
             return new Explanation(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(),
                     List.of(values.named(fit.candidate().last(), Priors.LATE)), List.of(), List.of(), ".");

@@ -98,13 +98,6 @@ class StandingTest {
         assertEquals(1, standing(7.5, 1.01, 1.12).reading().names());
     }
 
-    @Test
-    void allIsOne() {
-        Posterior posterior = standing(11, 1.5, 2).posterior();
-        assertEquals(1, posterior.mass(claim -> true), 1e-12);
-        assertTrue(posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE) >= CALIBRATION.lapse());
-    }
-
     /** Two where one leaves 1.5 and both leave 1.1: 20 to the power of what counts, less the choice among 50. */
     @Test
     void aSecondPartPaysForItsChoice() {

@@ -1,6 +1,8 @@
 package wbv.diagnosis.search;
 
+import java.util.stream.Stream;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A fit among those that are compared.
@@ -18,6 +20,11 @@ public record Chosen(Fitter.State fit, double price) {
     /** One that is chosen without further parts. */
     public static Chosen single(Fitter.State fit) {
         return new Chosen(fit, 0);
+    }
+
+    /** What the choice of one name among those of some hypotheses costs [nat]. */
+    public static double price(Stream<Hypothesis> among) {
+        return Math.log(Math.max(1, among.map(Hypothesis::claim).distinct().count()));
     }
 
     /**

@@ -11,9 +11,7 @@ import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
-import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.fit.SensorDelays;
 import wbv.diagnosis.measured.SmallError;
@@ -31,12 +29,12 @@ public final class OddSensor {
     private static final double RARE = 2 * new NormalDistribution().cumulativeProbability(-SmallError.MOST);
 
     private final Evidence evidence;
-    private final Refinement refinement;
+    private final Search search;
 
     /** Among the outputs of this evidence. */
-    public OddSensor(Evidence evidence, Refinement refinement) {
+    public OddSensor(Evidence evidence, Search search) {
         this.evidence = evidence;
-        this.refinement = refinement;
+        this.search = search;
     }
 
     /** The fit with the sensor late that is odd; empty where none is, or where others are beside it. */
@@ -46,10 +44,8 @@ public final class OddSensor {
 
     /** The best with that clock off: the sensor's, or the input's where there is no more than one of either and the sign says so. */
     private Optional<Fitter.State> late(Fitter.State base, int output) {
-        Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
-        return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
-                .filter(h -> isLate(h, output)).map(h -> late(base, h, output)).filter(fit -> !fit.failed() && !Refinement.extreme(fit))
-                .min(Comparator.comparingDouble(Fitter.State::reduced));
+        return search.hypotheses(base).stream().filter(h -> isLate(h, output)).map(h -> late(base, h, output))
+                .filter(fit -> !fit.failed() && !Refinement.extreme(fit)).min(Comparator.comparingDouble(Fitter.State::reduced));
     }
 
     private boolean isLate(Hypothesis hypothesis, int output) {
@@ -69,7 +65,7 @@ public final class OddSensor {
                 .orElseThrow();
         double[] start = hypothesis.starts().get(0).values().clone();
         start[0] = isInput(hypothesis.additions().get(0)) ? -delay : delay;
-        return refinement.polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
+        return search.refinement().polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }
 
     private List<Integer> device(int output) {

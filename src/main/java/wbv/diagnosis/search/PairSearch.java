@@ -162,10 +162,8 @@ public final class PairSearch {
         return Place.plain(hypothesis, base.candidate());
     }
 
-    /** What the choice of one name among all that could stand somewhere costs [nat]. */
     private double price(Predicate<Hypothesis> open) {
-        return Math.log(Math.max(1,
-                all.stream().filter(open).map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count()));
+        return Chosen.price(all.stream().filter(open));
     }
 
     /** The likeliest of a single mechanism, of pairs, and of what each part of the best pair does by itself. */
