@@ -2,7 +2,6 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.Whitening;
 import wbv.diagnosis.fit.Window;
@@ -77,7 +76,7 @@ final class BlockScores {
         int blocks = Math.max(LEAST_BLOCKS, (int) (window.length() / (BLOCK * rate)));
         double[][] out = new double[blocks][n];
         double[][] residual = series(state.residual(), window, outputs);
-        Projection projection = new Normal(state).projection();
+        Projection projection = new Projection(state);
         for (int i = 0; i < n; i++) {
             double[][] slope = series(projection.without(state.slopes()[i]), window, outputs);
             for (int b = 0; b < blocks; b++) {

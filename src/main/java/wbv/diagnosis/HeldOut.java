@@ -149,14 +149,13 @@ final class HeldOut {
 
     /** How often each cell is drawn, by replicate. */
     private double[][] draws() {
-        int block = Math.min(BLOCK, cells / 4);
-        int blocks = Math.max(1, Math.round((float) cells / block));
+        int blocks = Math.round((float) cells / BLOCK);
         double[][] out = new double[REPLICATES][cells];
         for (double[] counts : out) {
             for (int b = 0; b < blocks; b++) {
                 int from = random.nextInt(cells);
-                for (int i = 0; i < block; i++) {
-                    counts[(from + i) % cells] += (double) cells / (blocks * block);
+                for (int i = 0; i < BLOCK; i++) {
+                    counts[(from + i) % cells] += (double) cells / (blocks * BLOCK);
                 }
             }
         }

@@ -61,8 +61,11 @@ final class Naming {
         List<Diagnosis.Proof> proofs = real ? grounds.shown().figures(best).channels() : List.of();
         boolean better = proofs.stream().anyMatch(proof -> proof.removed().low() > 0)
                 && proofs.stream().noneMatch(proof -> proof.removed().high() < 0);
+        if (!better) {
+            return Optional.empty();
+        }
         Values values = new Values(grounds.evidence(), best);
-        return better ? Optional.of(unsure(values, claimed(values, 1 - Priors.HELD), places)) : Optional.empty();
+        return Optional.of(unsure(values, claimed(values, 1 - Priors.HELD), places));
     }
 
     private Explanation unsure(Values values, Map<Hypothesis, Diagnosis.Named> claimed, List<Diagnosis.Latent> places) {

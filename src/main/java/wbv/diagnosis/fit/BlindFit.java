@@ -100,9 +100,8 @@ public final class BlindFit {
 
     /** What enters at a place, as sensors with the state's errors read it, whitened. */
     private double[] way(Place place) {
-        double[][] direction = place.direction(() -> linear, evidence.outputs().size(), evidence.excitation().omega().length);
-        double[][] way = state.frame().whitening().window().lines(evidence.excitation().omega(), direction);
-        return state.frame().whitening().whiten(nuisances.seen(way, state.errors()));
+        return Entering.unit(evidence, state,
+                place.direction(() -> linear, evidence.outputs().size(), evidence.excitation().omega().length));
     }
 
     /** All that was whitened, as it shows beside some directions. */

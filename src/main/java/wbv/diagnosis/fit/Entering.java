@@ -71,7 +71,7 @@ public record Entering(double[] signal, double[] variance) {
     }
 
     /** A direction at the lines of the fit's window, as sensors with the fit's errors read it, whitened. */
-    private static double[] unit(Evidence evidence, Fitter.State state, double[][] direction) {
+    static double[] unit(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
         double[][] way = whitening.window().lines(evidence.excitation().omega(), direction);
         return whitening.whiten(state.frame().nuisances().seen(way, state.errors()));

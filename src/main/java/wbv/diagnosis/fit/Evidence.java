@@ -120,12 +120,12 @@ public final class Evidence {
         return sources;
     }
 
-    /** The series of a channel with its gaps bridged, in its unit. Not a copy. */
+    /** The series of a channel with its gaps bridged, in its unit. Not a copy where it has none. */
     public double[] series(Channel channel) {
         return LostSamples.filled(recording().values(channel));
     }
 
-    /** The series that was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
+    /** The series that was measured at an output, of a sitter without its mean, gaps filled, in its unit. Not a copy. */
     public double[] measured(int output) {
         return measured.series(output);
     }
@@ -223,7 +223,7 @@ public final class Evidence {
      * shorter, see {@link ShakenPart}. Time counts from its own start.
      */
     public Optional<Evidence> brief() {
-        return known.brief(() -> ShakenPart.of(this).map(part -> new Evidence(part.measured(), part.inputs(),
+        return known.once(new ShakenPart.Asked(), () -> ShakenPart.of(this).map(part -> new Evidence(part.measured(), part.inputs(),
                 Windows.whole(part.measured()), sources, library, new ConcurrentHashMap<>())));
     }
 

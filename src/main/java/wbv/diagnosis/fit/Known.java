@@ -2,7 +2,6 @@ package wbv.diagnosis.fit;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 
@@ -20,16 +19,6 @@ public final class Known {
      * @param <A> what the answer is; it holds no {@code null}
      */
     public interface Question<A> {}
-
-    /** A part that is shaken hard, see {@link Evidence#brief}. */
-    Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
-        return once(new Brief(), find);
-    }
-
-    /** The user's model fitted. */
-    public Fitter.State base(Supplier<Fitter.State> fit) {
-        return once(new Base(), fit);
-    }
 
     /**
      * What is left while whatever enters at some places is ignored.
@@ -52,8 +41,4 @@ public final class Known {
         answers.put(question, found);
         return (A) found;
     }
-
-    private record Brief() implements Question<Optional<Evidence>> {}
-
-    private record Base() implements Question<Fitter.State> {}
 }

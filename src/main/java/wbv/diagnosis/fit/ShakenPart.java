@@ -16,6 +16,9 @@ import wbv.diagnosis.mechanism.Addition;
  */
 record ShakenPart(Measured measured, Inputs inputs) {
 
+    /** What it is, is asked more than once. */
+    record Asked() implements Known.Question<Optional<Evidence>> {}
+
     /** Its length on a sitter's ride [s]. */
     private static final double BRIEF = 36;
     /** Its length of a rig's in periods of the slowest mode: as many as a sitter's ride has of his, which is one of about 4 Hz. */

@@ -21,9 +21,7 @@ import wbv.signal.ScalarProduct;
  */
 final class AlongMeasured {
 
-    private final Directions directions;
     private final Fitter.State base;
-    private final Structure structure;
     private final Projection errors;
     /** What each of the model's numbers does, by coordinate. */
     private final Followed[] carried;
@@ -40,23 +38,21 @@ final class AlongMeasured {
      *                   errs by thirty standard deviations, whose squares are next to nothing beside a mismatch
      */
     AlongMeasured(Directions directions, Fitter.State base, Motion motion, Projection errors) {
-        this.directions = directions;
-        this.base = base;
-        this.structure = base.candidate().at(base.x()).structure();
-        this.errors = errors;
-        this.left = followed(directions.along());
-        this.carried = IntStream.range(0, base.x().length).mapToObj(i -> followed(carried(i, motion))).toArray(Followed[]::new);
-        this.gramOfCarried = gram(carried);
+        this(base, errors, directions.along(), carried(directions, base, motion));
     }
 
-    private AlongMeasured(AlongMeasured other, Followed[] carried) {
-        this.directions = other.directions;
-        this.base = other.base;
-        this.structure = other.structure;
-        this.errors = other.errors;
-        this.left = other.left;
-        this.carried = carried;
-        this.gramOfCarried = gram(carried);
+    private AlongMeasured(Fitter.State base, Projection errors, double[] left, Stream<double[]> carried) {
+        this.base = base;
+        this.errors = errors;
+        this.left = followed(left);
+        this.carried = carried.map(this::followed).toArray(Followed[]::new);
+        this.gramOfCarried = Arrays.stream(this.carried)
+                .map(one -> Arrays.stream(this.carried).mapToDouble(one::product).toArray()).toArray(double[][]::new);
+    }
+
+    /** The same where other errors of sensors follow. */
+    AlongMeasured with(Projection others) {
+        return new AlongMeasured(base, others, left.vector(), Arrays.stream(carried).map(Followed::vector));
     }
 
     /**
@@ -64,24 +60,23 @@ final class AlongMeasured {
      * along a motion that is measured, and a law that is missing far as the model moves.
      */
     AlongMeasured asModelled() {
-        return new AlongMeasured(this, Arrays.stream(base.slopes()).map(this::followed).toArray(Followed[]::new));
+        return new AlongMeasured(base, errors, left.vector(), Arrays.stream(base.slopes()));
     }
 
-    private static double[][] gram(Followed[] all) {
-        return Arrays.stream(all).map(one -> Arrays.stream(all).mapToDouble(one::product).toArray()).toArray(double[][]::new);
-    }
-
-    private double[] carried(int i, Motion motion) {
-        Knob knob = base.candidate().knobs().get(i);
-        int at = knob.slot().at();
-        return knob.unit() != 0 || !knob.tied().isEmpty() ? base.slopes()[i] : switch (knob.slot().kind()) {
-            case STIFFNESS -> directions.of(at, times(structure.stiffness()[at], motion.displacement(at)));
-            case DAMPING -> directions.of(at, times(structure.damping()[at], motion.velocity(at)));
-            case MASS -> Arrays.stream(structure.sharing(at))
-                    .mapToObj(body -> directions.onBody(body, times(-structure.mass()[at], motion.accelerations()[body])))
-                    .reduce(new double[base.slopes()[i].length], AlongMeasured::sum);
-            default -> base.slopes()[i];
-        };
+    private static Stream<double[]> carried(Directions directions, Fitter.State base, Motion motion) {
+        Structure structure = base.candidate().at(base.x()).structure();
+        return IntStream.range(0, base.x().length).mapToObj(i -> {
+            Knob knob = base.candidate().knobs().get(i);
+            int at = knob.slot().at();
+            return knob.unit() != 0 || !knob.tied().isEmpty() ? base.slopes()[i] : switch (knob.slot().kind()) {
+                case STIFFNESS -> directions.of(at, times(structure.stiffness()[at], motion.displacement(at)));
+                case DAMPING -> directions.of(at, times(structure.damping()[at], motion.velocity(at)));
+                case MASS -> Arrays.stream(structure.sharing(at))
+                        .mapToObj(body -> directions.onBody(body, times(-structure.mass()[at], motion.accelerations()[body])))
+                        .reduce(new double[base.slopes()[i].length], AlongMeasured::sum);
+                default -> base.slopes()[i];
+            };
+        });
     }
 
     private static double[] times(double factor, double[] x) {
@@ -189,12 +184,11 @@ final class AlongMeasured {
     /**
      * Some directions that the sensors' errors follow.
      *
-     * @param own    products of each with the errors [1]
      * @param follow how the errors follow each [1]
      * @param each   products of two [1]
      * @param most   how strong the last of them may be, which are errors that stand at a bound, in standard deviations
      */
-    record Directed(Columns columns, double[][] own, double[][] follow, double[][] each, double[] most) {}
+    record Directed(Columns columns, double[][] follow, double[][] each, double[] most) {}
 
     /**
      * Directions, and the errors that stand at a bound after them.
@@ -213,7 +207,7 @@ final class AlongMeasured {
         for (int i = each.length - errors.bounds().length; i < each.length; i++) {
             each[i][i]++;   // what is known of an error beforehand
         }
-        return new Directed(columns, own, follow, each, errors.bounds());
+        return new Directed(columns, follow, each, errors.bounds());
     }
 
     /** @param from each product of one with one of the other is taken. Modified. */

@@ -88,7 +88,7 @@ final class MeasuredHeats {
     /** @param pairs whether two that were looked at are asked together */
     private List<Way> ways(boolean pairs) {
         AlongMeasured measured = new AlongMeasured(directions, base, motion, new Projection(base));
-        AlongMeasured free = new AlongMeasured(directions, base, motion, Projection.ofAll(base));
+        AlongMeasured free = measured.with(Projection.ofAll(base));
         AlongMeasured.Directed directed = measured.directed(Parallel.map(looked, this::vectors), pairs);
         return Stream.<UnaryOperator<AlongMeasured>>of(along -> along, AlongMeasured::asModelled).map(way -> {
             AlongMeasured along = way.apply(measured);

@@ -71,10 +71,7 @@ final class MeasuredStarts {
         Followed[] own = along.carried();
         Followed[] all = Arrays.copyOf(own, own.length + columns);
         for (int c = 0; c < columns; c++) {
-            double[] only = new double[columns];
-            only[c] = 1;
-            all[own.length + c] = direction(hypothesis,
-                    directions.force(hypothesis, Screening.sized(hypothesis, start, only)));
+            all[own.length + c] = direction(hypothesis, directions.force(hypothesis, Screening.alone(hypothesis, start, c)));
         }
         double[] strengths = along.strengths(all, along.left());
         double[] values = Screening.sized(hypothesis, start, Arrays.copyOfRange(strengths, own.length, all.length));

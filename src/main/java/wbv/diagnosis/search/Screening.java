@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
@@ -89,17 +90,8 @@ public final class Screening {
 
     private Score score(Hypothesis hypothesis, Candidate with, Start start) {
         boolean amplitude = !start.columns().isEmpty();
-        List<double[]> changes = new ArrayList<>();
-        if (amplitude) {
-            for (int c = 0; c < start.columns().size(); c++) {
-                double[] only = new double[start.columns().size()];
-                only[c] = 1;
-                changes.add(directions.of(hypothesis, with, sized(hypothesis, start, only)));
-            }
-        } else {
-            changes.add(directions.of(hypothesis, with, start.values()));
-        }
-        List<PartialledOut.Rest> rests = left.of(changes);
+        List<PartialledOut.Rest> rests = left.of(IntStream.range(0, Math.max(1, start.columns().size()))
+                .mapToObj(c -> directions.of(hypothesis, with, alone(hypothesis, start, c))).toList());
         Optional<Combination> combination = rests.stream().anyMatch(PartialledOut.Rest::isOld) ? Optional.empty()
                 : Optional.of(Combination.of(rests));
         double gain = combination.map(Combination::gain).orElse(0.0);
@@ -112,10 +104,8 @@ public final class Screening {
                 impossible |= strength[c] < 0 && (number.unit() == 0 || number.low() >= number.nothing());
             }
         }
-        if (impossible) {
-            return new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, start.values()));
-        }
-        return new Score(hypothesis, with, gain, state.candidate().extended(state.x(), with, hypothesis, values));
+        return new Score(hypothesis, with, impossible ? 0 : gain,
+                state.candidate().extended(state.x(), with, hypothesis, impossible ? start.values() : values));
     }
 
     /**
@@ -131,6 +121,13 @@ public final class Screening {
             }
         }
         return values;
+    }
+
+    /** The same with one amplitude alone, as it is looked at with. */
+    static double[] alone(Hypothesis hypothesis, Start start, int column) {
+        double[] strength = new double[Math.max(1, start.columns().size())];
+        strength[column] = 1;
+        return sized(hypothesis, start, strength);
     }
 
     /** What hypotheses change along what was measured. */

@@ -63,8 +63,10 @@ public final class Search {
      * @param baseline of the evidence, see {@link Baseline}
      */
     public Fitter.State base(Candidate baseline) {
-        return evidence.known().base(() -> fromAll(baseline));
+        return evidence.known().once(new Fitted(baseline), () -> fromAll(baseline));
     }
+
+    private record Fitted(Candidate baseline) implements Known.Question<Fitter.State> {}
 
     private Fitter.State fromAll(Candidate baseline) {
         return Parallel.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
@@ -110,9 +112,8 @@ public final class Search {
     /** The same as they race from where the measured motion has them: of a mismatch so plain that this shows more than noise. */
     private List<Fitter.State> alongMeasured(Fitter.State base, int polished, Whereabouts where) {
         progress.accept("refitting", 0.3);
-        Assembly fitted = base.candidate().at(base.x());
-        Motion motion = Motion.measured(evidence, fitted);
-        List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
+        Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
+        List<Hypothesis> all = evidence.library().hypotheses(scene(base, motion, where));
         return withForms(base, all, new MeasuredHeats(evidence, base, motion, open(base, all, where)).best(polished));
     }
 
@@ -154,9 +155,8 @@ public final class Search {
 
     private List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, Predicate<Screening.Score> open) {
         progress.accept("screening", 0.2);
-        Assembly fitted = base.candidate().at(base.x());
-        Motion motion = Motion.measured(evidence, fitted);
-        List<Hypothesis> all = evidence.library().hypotheses(scene(base, fitted, motion, where));
+        Motion motion = Motion.measured(evidence, base.candidate().at(base.x()));
+        List<Hypothesis> all = evidence.library().hypotheses(scene(base, motion, where));
         List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open(base, all, where)).stream().filter(open)
                 .toList();
         progress.accept("refitting", 0.4);
@@ -235,11 +235,11 @@ public final class Search {
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
-    private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
+    private Scene scene(Fitter.State base, Motion motion, Whereabouts where) {
         double[] lines = SpectralLines.of(base.residual(), evidence.fit());
         Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
         return unbent.map(it -> FittedScene.of(evidence, it, Motion.measured(evidence, it), lines))
-                .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
+                .orElseGet(() -> FittedScene.of(evidence, base.candidate().at(base.x()), motion, lines));
     }
 
     /** The best hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */

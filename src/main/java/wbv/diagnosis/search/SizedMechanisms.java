@@ -65,9 +65,7 @@ record SizedMechanisms(List<Looked> each, DirectionProducts.Together together, d
 
         /** The same with one of them alone. */
         double[] only(int amplitude) {
-            double[] strengths = new double[own.length];
-            strengths[amplitude] = 1;
-            return values(strengths);
+            return Screening.alone(hypothesis, start, amplitude);
         }
 
         private boolean mayBe(int amplitude, double strength) {
