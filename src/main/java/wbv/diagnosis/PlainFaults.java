@@ -90,11 +90,8 @@ final class PlainFaults {
      * @param bias of the whole
      */
     private double[] course(int output, double bias) {
-        Channel own = evidence.outputs().get(output);
-        List<double[]> others = Stream
-                .concat(evidence.outputs().stream(), evidence.model().base().sensors().stream())
-                .filter(other -> !other.equals(own) && alike(own, other)).map(other -> parts(evidence.recording().values(other))).toList();
-        double[] course = parts(evidence.recording().values(own));
+        List<double[]> others = alike(output).map(other -> parts(evidence.recording().values(other))).toList();
+        double[] course = parts(evidence.recording().values(evidence.outputs().get(output)));
         double[] out = new double[PARTS];
         Arrays.setAll(out, k -> course[k] - median(others.stream().mapToDouble(parts -> parts[k])));
         double mean = Arrays.stream(out).filter(Double::isFinite).average().orElse(0);
@@ -166,13 +163,16 @@ final class PlainFaults {
      * average. The median of their means and of nothing, the nearer to nothing of two, so that no single bias is shared out.
      */
     private double shared(int output) {
+        return median(alike(output).mapToDouble(other -> evidence.outputs().contains(other)
+                ? evidence.measured().mean(evidence.outputs().indexOf(other))
+                : mean(evidence.recording().values(other)).orElse(Double.NaN)));
+    }
+
+    /** The other sensors of an output's kind, of the base too. */
+    private Stream<Channel> alike(int output) {
         Channel own = evidence.outputs().get(output);
-        DoubleStream others = IntStream.range(0, evidence.outputs().size())
-                .filter(o -> o != output && alike(own, evidence.outputs().get(o))).mapToDouble(evidence.measured()::mean);
-        DoubleStream base = evidence.model().base().sensors().stream().filter(sensor -> alike(own, sensor))
-                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
-                .mapToDouble(OptionalDouble::getAsDouble);
-        return median(DoubleStream.concat(others, base));
+        return Stream.concat(evidence.outputs().stream(), evidence.model().base().sensors().stream())
+                .filter(other -> !other.equals(own) && other.quantity() == own.quantity() && other.axis() == own.axis());
     }
 
     /** Of some means and of nothing, the nearer to nothing of two. */
@@ -181,10 +181,6 @@ final class PlainFaults {
         double low = sorted[(sorted.length - 1) / 2];
         double high = sorted[sorted.length / 2];
         return Math.abs(low) < Math.abs(high) ? low : high;
-    }
-
-    private static boolean alike(Channel one, Channel other) {
-        return one.quantity() == other.quantity() && one.axis() == other.axis();
     }
 
     private static OptionalDouble mean(double[] x) {
