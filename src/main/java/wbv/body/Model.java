@@ -527,6 +527,11 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return new Model(name, source, axis, base, bodies, links, inputs, Optional.of(subject), sensors);
     }
 
+    /** The same of other bodies and links. */
+    public Model with(List<Body> bodies, List<Link> links) {
+        return new Model(name, source, axis, base, bodies, links, inputs, declared, sensors);
+    }
+
     /** The same, its sensors behind that filter; as it is where none is given. */
     public Model behind(Optional<SensorFilter> filter) {
         Base passed = new Base(base.name(), base.sensor(), base.mass(), base.further(), base.at(), filter.or(base::filter));

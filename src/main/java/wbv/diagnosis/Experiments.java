@@ -9,7 +9,7 @@ import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.search.MassScale;
 import wbv.diagnosis.search.Priors;
 
-/** The recording that would settle what two mechanisms leave open (DIAGNOSIS 7). */
+/** The recording that would settle what two mechanisms leave open. */
 final class Experiments {
 
     /** In place of a nod, where the rotation of the place is known already. */

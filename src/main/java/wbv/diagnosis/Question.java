@@ -120,7 +120,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
             link.sensor().ifPresent(sensor -> drives.add(new Drive.Given(given, 1)));
             links.add(link.completed(link.stiffness(), link.damping(), link.laws(), drives, link.faults()));
         }
-        return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs(), model.declared());
+        return model.with(model.bodies(), links);
     }
 
     private Model surrogate(Channel given) {

@@ -20,7 +20,7 @@ class ExperimentsTest {
     private static final Experiments EXPERIMENTS = new Experiments(Library.standard());
     private static final Set<String> BASE = Set.of("platform-seat", "seat");
 
-    /** The pairs of DIAGNOSIS 7, and a word of what is said there to separate them. */
+    /** Pairs that one recording does not tell apart, and a word of what is said to separate them. */
     @ParameterizedTest
     @CsvSource({
         "memory.viscoelastic, muscle.reflex, relaxed", "mode.hidden, muscle.reflex, abdomen",

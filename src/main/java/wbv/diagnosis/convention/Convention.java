@@ -174,8 +174,7 @@ public sealed interface Convention permits Convention.Misread, Convention.Exchan
                     damping * link.damping(), link.laws(), link.drives(), link.faults())).toList();
             List<Model.Body> bodies = model.bodies().stream().map(body -> body.fixed() ? body
                     : body.completed(mass * body.mass(), body.faults(), body.hidden(), body.forces())).toList();
-            return new Model(model.name(), model.source(), model.axis(), model.base(), bodies, links, model.inputs(), model.declared(),
-                    model.sensors());
+            return model.with(bodies, links);
         }
 
         @Override

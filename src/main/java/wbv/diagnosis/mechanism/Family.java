@@ -2,7 +2,7 @@ package wbv.diagnosis.mechanism;
 
 import java.util.Optional;
 
-/** Kinds of mechanism, by what tells them apart from others (DIAGNOSIS 7). */
+/** Kinds of mechanism, by what tells them apart from others. */
 public enum Family {
     /** The model's own numbers. */
     NUMBERS(Family.LEVELS),

@@ -47,8 +47,7 @@ record AssumedMass(double sitting, String why) {
         List<Model.Link> links = model.links().stream().map(
                 link -> link.completed(factor * link.stiffness(), factor * link.damping(), link.laws(), link.drives(), link.faults()))
                 .toList();
-        return new Model(model.name(), model.source(), model.axis(), model.base(), bodies, links, model.inputs(), model.declared(),
-                model.sensors());
+        return model.with(bodies, links);
     }
 
     /**
