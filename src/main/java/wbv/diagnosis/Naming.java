@@ -35,7 +35,7 @@ final class Naming {
     boolean isWorth() {
         DecisionRule.Reading reading = standing.reading();
         return best != base && !reading.isUnknown() && grounds.foretells(best)
-                && (grounds.heldBefore() > Priors.SILENT || reading.verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
+                && (grounds.heldBefore() > Priors.SILENT || reading.isName());
     }
 
     /**

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -72,7 +73,7 @@ class StandingTest {
         double expected = HELD / (1 + Math.pow(0.5, POWER) + Math.pow(0.5 / 2.8, POWER) + Math.pow(0.05, POWER));
         Standing standing = standing(11, 1.5, 2);
         assertEquals(expected, standing.probability(), 1e-12);
-        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
+        assertTrue(standing.reading().isName());
         assertEquals(expected * Math.pow(0.5, POWER), standing.rivals(1).get(0).probability(), 1e-12);
         assertEquals("friction.coulomb", standing.rivals(1).get(0).mechanism());
     }
@@ -86,14 +87,14 @@ class StandingTest {
 
     @Test
     void aNameThatLeavesMuchIsNoName() {
-        assertEquals(DecisionRule.Verdict.SOMETHING_ELSE, standing(11, 4.5, 9).reading().verdict(), "a third is left");
-        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing(11, 2.5, 9).reading().verdict(), "a seventh is left");
+        assertEquals(List.of(Claim.UNKNOWN), standing(11, 4.5, 9).reading().claims(), "a third is left");
+        assertTrue(standing(11, 2.5, 9).reading().isName(), "a seventh is left");
     }
 
     @Test
     void nearTheNoiseNothingIsSure() {
         Standing standing = standing(1.08, 1.02, 1.05);
-        assertTrue(standing.reading().verdict() != DecisionRule.Verdict.MISSING_PHYSICS);
+        assertFalse(standing.reading().isName());
         // The noise is the same for both: what one leaves more than the other is no chance.
         assertEquals(1, standing(7.5, 1.01, 1.12).reading().names());
     }
@@ -114,7 +115,7 @@ class StandingTest {
         assertEquals(expected, standing.probability(two.last()), 1e-12);
         // That the second is not there leaves the first.
         assertEquals(expected * (1 + 50 * alone), standing.probability(single.candidate().last()), 1e-12);
-        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
+        assertTrue(standing.reading().isName());
         Chosen one = Chosen.single(single);
         assertTrue(new Chosen(both, price).outweighs(1.1, one, 3));
         assertTrue(!new Chosen(both, price).outweighs(3.1, one, 3), "what does worse on data not used is no part");
@@ -153,7 +154,7 @@ class StandingTest {
         Standing standing = Standing.of(new Fits(evidence, plain, plain, Chosen.single(play), List.of(play, hardening)));
         assertEquals(hardening, standing.fits().best());
         assertEquals(0, standing.numbers());
-        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
+        assertTrue(standing.reading().isName());
         Diagnosis.Named rival = standing.rivals(1).get(0);
         assertEquals("contact.backlash", rival.mechanism());
         assertEquals(-costs, rival.numbers(), 0.05 * costs, "the data tell the stiffness well");
