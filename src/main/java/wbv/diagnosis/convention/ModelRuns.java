@@ -12,15 +12,13 @@ import wbv.body.Model;
 import wbv.body.Structure;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.search.Priors;
 import wbv.signal.ScalarProduct;
 
 /** A model run on an input with its stiffnesses, dampings and masses as they may be: each some factor of what was given. */
 final class ModelRuns {
-
-    /** How well masses of a person are known [1]; those of a bench are as its stiffnesses. */
-    private static final double SEGMENT = 0.15;
 
     /** Starts beside the given numbers on a rig, whose resonance may be missed by its width: as for fits of physics. */
     private static final double[][] SHIFTS = {{0, 1.6}, {0.8, 0}, {-0.8, 0}};
@@ -44,7 +42,8 @@ final class ModelRuns {
         int masses = 2 * structure.links();
         free = IntStream.range(0, values.length).filter(i -> values[i] > 0 && (i < masses || structure.sharing(i - masses).length > 0))
                 .filter(i -> i < masses || !structure.held()).toArray();
-        deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? Priors.NUMBER_DEVIATION : SEGMENT).toArray();
+        // Masses of a bench are known as its stiffnesses are.
+        deviation = Arrays.stream(free).mapToDouble(i -> i < masses || model.isRig() ? Priors.NUMBER_DEVIATION : Baseline.MASS).toArray();
         starts = Stream.concat(Stream.of(shifted(0, 0)), Arrays.stream(model.isRig() && !model.driven() ? SHIFTS : new double[0][])
                 .map(shift -> shifted(shift[0], shift[1]))).toList();
     }

@@ -20,7 +20,8 @@ import wbv.body.Structure;
 public final class Baseline {
 
     private static final double SPRING = 2;
-    private static final double MASS = 0.15;
+    /** How well masses of a person are known [1]. */
+    public static final double MASS = 0.15;
     private static final double FARTHEST = 3.2;
     /**
      * A person's segments are known better than stiffness, which a softening spring shows ten times too small: two thirds heavier at most.

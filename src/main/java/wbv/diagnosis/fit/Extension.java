@@ -20,16 +20,15 @@ record Extension(Assembly template, List<Knob> knobs) {
         List<Knob> all = new ArrayList<>(knobs);
         int next = 0;
         for (Addition addition : hypothesis.additions()) {
-            if (addition instanceof Addition.InLink in) {
+            if (addition instanceof Addition.OfLink of) {
                 List<LawAt> laws = new ArrayList<>(assembly.laws());
-                laws.add(new LawAt(in.link(), in.law()));
+                laws.add(new LawAt(of.link(), of.law()));
                 assembly = new Assembly(assembly.structure(), laws, assembly.drives(), assembly.outputs());
-                next = add(all, hypothesis, next, Slot.Kind.LAW, laws.size() - 1, 0, Numbers.values((Record) in.law()).length);
-            } else if (addition instanceof Addition.AlikeInLink in) {
-                List<LawAt> laws = new ArrayList<>(assembly.laws());
-                laws.add(new LawAt(in.link(), in.law()));
-                assembly = new Assembly(assembly.structure(), laws, assembly.drives(), assembly.outputs());
-                tie(all, Slot.Kind.LAW, laws.size() - 1, 0, in.factors());
+                if (of instanceof Addition.AlikeInLink alike) {
+                    tie(all, Slot.Kind.LAW, laws.size() - 1, 0, alike.factors());
+                } else {
+                    next = add(all, hypothesis, next, Slot.Kind.LAW, laws.size() - 1, 0, Numbers.values((Record) of.law()).length);
+                }
             } else if (addition instanceof Addition.Driven driven) {
                 List<Assembly.DriveAt> drives = new ArrayList<>(assembly.drives());
                 drives.add(new Assembly.DriveAt(driven.place(), driven.drive()));

@@ -68,7 +68,7 @@ final class WrongWay {
             double[] series = excitation.series(swinging(excitation.omega(), force));
             double[][] way = linear.ofLinkForce(link);
             for (int o = 0; o < way.length; o++) {
-                double size = PART * size(excitation.series(way[o]), taps);
+                double size = PART * Motion.rms(excitation.series(way[o]), taps);
                 for (int tap = 0; tap < taps; tap++) {
                     all.addLate(new SmallError(SmallError.Kind.WAY, o, ""),
                             way.length, series, tap, size);
@@ -93,14 +93,5 @@ final class WrongWay {
             force[2 * k + 1] = factor * (force[2 * k + 1] * re - own * im);
         }
         return force;
-    }
-
-    /** Root mean square of the beginning of an impulse response. */
-    private static double size(double[] response, int taps) {
-        double sum = 0;
-        for (int i = 0; i < taps; i++) {
-            sum += response[i] * response[i];
-        }
-        return Math.sqrt(sum / taps);
     }
 }

@@ -114,14 +114,9 @@ final class Sentences {
         List<double[]> values = new ArrayList<>();
         int next = TermColumns.LINEAR;
         for (TermColumns.Column column : chosen) {
-            double[] own = column.start().values().clone();
-            for (int[] group : column.start().columns()) {
-                for (int i : group) {
-                    own[i] *= strength[next];
-                }
-                next++;
-            }
-            values.add(own);
+            int from = next;
+            next += column.start().columns().size();
+            values.add(Screening.sized(column.term(), column.start(), Arrays.copyOfRange(strength, from, next)));
         }
         List<Hypothesis> terms = chosen.stream().map(TermColumns.Column::term).toList();
         double degrees = state.frame().whitening().degrees();

@@ -1,7 +1,6 @@
 package wbv.diagnosis.learn;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
@@ -98,7 +97,8 @@ final class TermColumns {
     }
 
     private Stream<double[]> directions(Hypothesis term, Start start) {
-        return start.columns().stream().map(column -> screening.directions().of(term, on.with(term), only(start, column)));
+        return IntStream.range(0, start.columns().size())
+                .mapToObj(column -> screening.directions().of(term, on.with(term), Screening.alone(term, start, column)));
     }
 
     /** @param next what is left of its directions, and then of others'. Modified. */
@@ -142,12 +142,6 @@ final class TermColumns {
             }
         }
         return best;
-    }
-
-    private static double[] only(Start start, int[] column) {
-        double[] values = start.values().clone();
-        start.columns().stream().filter(other -> other != column).forEach(other -> Arrays.stream(other).forEach(i -> values[i] = 0));
-        return values;
     }
 
     /** What the amplitudes of some terms do, at least one, after the link's own stiffness and damping. */

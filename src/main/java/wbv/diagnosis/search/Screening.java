@@ -109,11 +109,12 @@ public final class Screening {
     }
 
     /**
-     * A start with its amplitudes so many times what they are looked at with.
+     * A start with its amplitudes so many times what they are looked at with: numbers of the hypothesis, an array with one of each, in its
+     * unit.
      *
      * @param strength by column [1]; of a start without columns nothing changes. Not modified.
      */
-    static double[] sized(Hypothesis hypothesis, Start start, double[] strength) {
+    public static double[] sized(Hypothesis hypothesis, Start start, double[] strength) {
         double[] values = start.values().clone();
         for (int c = 0; c < start.columns().size(); c++) {
             for (int i : start.columns().get(c)) {
@@ -123,8 +124,8 @@ public final class Screening {
         return values;
     }
 
-    /** The same with one amplitude alone, as it is looked at with. */
-    static double[] alone(Hypothesis hypothesis, Start start, int column) {
+    /** The same with one amplitude alone, as it is looked at with: an array with one of each number, in its unit. */
+    public static double[] alone(Hypothesis hypothesis, Start start, int column) {
         double[] strength = new double[Math.max(1, start.columns().size())];
         strength[column] = 1;
         return sized(hypothesis, start, strength);
