@@ -14,7 +14,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
@@ -218,15 +217,11 @@ final class Standing {
         double most = Double.NEGATIVE_INFINITY;
         for (Weight weight : all.stream().sorted(Comparator.comparingDouble(Weight::evidence).reversed()).toList()) {
             boolean matters = weight.evidence() > most - Effort.NEGLIGIBLE;
-            out.add(matters ? weight.withNumbers(
-                    evidence.known().once(new Own(weight.fit()), () -> OwnNumbers.logPrior(fitter, weight.fit()))) : weight);
+            out.add(matters ? weight.withNumbers(OwnNumbers.logPrior(fitter, weight.fit())) : weight);
             most = Math.max(most, out.get(out.size() - 1).sum());
         }
         return out;
     }
-
-    /** How likely a model's own numbers are in a fit. */
-    private record Own(Fitter.State fit) implements Known.Question<Double> {}
 
     /** Of every claim by the likeliest of its forms. */
     private Posterior posteriorOfAll() {

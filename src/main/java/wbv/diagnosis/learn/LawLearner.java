@@ -129,20 +129,22 @@ public final class LawLearner {
 
     private List<Sentence> sentences(int link, int most, Fitter.State than) {
         Opening opening = openings.of(link, unbent(link), than);
+        if (opening.sentences().isEmpty()) {
+            return List.of();
+        }
         List<Sentence> all = new ArrayList<>(opening.sentences());
-        List<Sentence> latest = all;
+        Sentence best = weighing.best(all);
         // Along the motion that a law makes, another term may show that the motion as measured did not.
-        while (!latest.isEmpty()) {
-            Sentence best = weighing.best(all);
-            latest = best.terms().size() >= most || !best.shows() || best.isHopelessBeside(than) ? List.of()
+        for (boolean better = true; better;) {
+            List<Sentence> more = best.terms().size() >= most || !best.shows() || best.isHopelessBeside(than) ? List.of()
                     : openings.beside(best, link, opening.likely());
-            all.addAll(latest);
-            latest = latest.isEmpty() || weighing.best(all).fit() == best.fit() ? List.of() : latest;
+            all.addAll(more);
+            Sentence next = more.isEmpty() ? best : weighing.best(all);
+            better = next.fit() != best.fit();
+            best = next;
         }
-        if (!all.isEmpty()) {
-            all.addAll(shorter(weighing.best(all)));
-            all.addAll(limited(weighing.best(all), link));
-        }
+        all.addAll(shorter(best));
+        all.addAll(limited(weighing.best(all), link));
         return all;
     }
 

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.stream.IntStream;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Search;
@@ -14,13 +13,13 @@ import wbv.diagnosis.search.Search;
 /** Sentences on one model, seen through one whitening and beside the best of them, so that their evidences compare. */
 final class Weighing {
 
-    private final Evidence evidence;
+    private final boolean bounded;
     private final Fitter fitter;
     private final Fitter.State base;
 
     /** @param base on which all sentences stand */
     Weighing(Evidence evidence, Search search, Fitter.State base) {
-        this.evidence = evidence;
+        this.bounded = evidence.floor() < 1;
         this.fitter = search.fitter();
         this.base = base;
     }
@@ -48,7 +47,7 @@ final class Weighing {
         double[] left = Parallel.map(sentences, sentence -> left(sentence.fit(), frame)).stream().mapToDouble(Double::doubleValue)
                 .toArray();
         double least = Arrays.stream(left).min().orElseThrow();
-        double unit = evidence.floor() < 1 ? least : 1;
+        double unit = bounded ? least : 1;
         double without = left(base, frame) / unit;
         return IntStream.range(0, left.length).mapToObj(i -> {
             Sentence sentence = sentences.get(i);
@@ -56,11 +55,8 @@ final class Weighing {
         }).sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
 
-    private record Left(Fitter.State fit, Fitter.Frame frame) implements Known.Question<Double> {}
-
     private double left(Fitter.State fit, Fitter.Frame frame) {
-        return evidence.known().once(new Left(fit, frame),
-                () -> fitter.look(fit.candidate(), fit.x(), frame).cost() / frame.whitening().degrees());
+        return fitter.look(fit.candidate(), fit.x(), frame).cost() / frame.whitening().degrees();
     }
 
     /** The most evident; there must be one. */
