@@ -84,9 +84,21 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param intervals   where they lie with 95 %; for those that have an uncertainty
      * @param reduced     mean square of the whitened residual with it
      * @param numbers     logarithm of how likely the model's own numbers are where it has them, against as given [nat], 0 or less
+     * @param form        what of it no number tells, by what it tells, in a word each; nothing for most
      */
     public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
-            double reduced, double numbers) {
+            double reduced, double numbers, Map<String, String> form) {
+
+        /**
+         * One of which numbers tell all.
+         *
+         * @param reduced [1]
+         * @param numbers [nat]
+         */
+        public Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
+                double reduced, double numbers) {
+            this(mechanism, where, probability, parameters, intervals, reduced, numbers, Map.of());
+        }
 
         /**
          * One for which the model's own numbers stay as they are.
@@ -100,7 +112,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
 
         /** The same, held at another probability. */
         Named at(double other) {
-            return new Named(mechanism, where, other, parameters, intervals, reduced, numbers);
+            return new Named(mechanism, where, other, parameters, intervals, reduced, numbers, form);
         }
 
         /**
@@ -109,7 +121,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
          * @param left mean square of the whitened residual with it there [1]
          */
         Named leaving(double left) {
-            return new Named(mechanism, where, probability, parameters, intervals, left, numbers);
+            return new Named(mechanism, where, probability, parameters, intervals, left, numbers, form);
         }
 
         /**
@@ -118,7 +130,12 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
          * @param own how likely they are [nat]
          */
         Named with(double own) {
-            return new Named(mechanism, where, probability, parameters, intervals, reduced, own);
+            return new Named(mechanism, where, probability, parameters, intervals, reduced, own, form);
+        }
+
+        /** The same in a form. */
+        Named in(Map<String, String> other) {
+            return new Named(mechanism, where, probability, parameters, intervals, reduced, numbers, other);
         }
 
         /** Standard deviations of a normal distribution as wide as the intervals; infinite where an end is open. */

@@ -17,7 +17,7 @@ final class Phrases {
 
     /** One clause with the values found, without a full stop. */
     static String of(Library library, Diagnosis.Named named) {
-        String clause = library.of(named.mechanism()).map(mechanism -> mechanism.sentence(named.parameters().keySet()))
+        String clause = library.of(named.mechanism()).map(mechanism -> mechanism.sentence(named.parameters().keySet(), named.form()))
                 .orElse(named.mechanism() + " at %s");
         StringBuilder text = new StringBuilder(String.format(clause, named.where()));
         String separator = " (";

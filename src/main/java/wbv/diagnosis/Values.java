@@ -13,6 +13,7 @@ import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.measured.SmallError;
@@ -78,15 +79,27 @@ final class Values {
                 i -> interval(hypothesis, plain.get(i), scaled.get(i)));
         boolean about = evidence.model().links().stream()
                 .anyMatch(link -> link.name().equals(hypothesis.where()) && evidence.model().about(link));
+        Map<String, Double> plainly = new LinkedHashMap<>();
         Map<String, Double> values = new LinkedHashMap<>();
         Map<String, Interval> intervals = new LinkedHashMap<>();
         for (int i = 0; i < scaled.size(); i++) {
             double value = scaled.get(i).value(scaled.get(i).u(state.x()));
             String key = about ? ModelFile.keyAbout(scaled.get(i).key()) : scaled.get(i).key();
+            plainly.put(scaled.get(i).key(), value);
             values.put(key, value);
             intervals.put(key, found.get(i));
         }
-        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, intervals, state.reduced());
+        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, intervals, state.reduced())
+                .in(hypothesis.kind().form(hypothesis, plainly, () -> speed(hypothesis)));
+    }
+
+    /** Of the link of a hypothesis as it moves with all that was found, root mean square [m/s]; NaN where it is in no link. */
+    private double speed(Hypothesis hypothesis) {
+        return hypothesis.additions().stream().filter(Addition.OfLink.class::isInstance).mapToInt(of -> ((Addition.OfLink) of).link())
+                .mapToDouble(link -> {
+                    double[] velocity = Motion.measured(evidence, state.candidate().at(state.x())).velocity(link);
+                    return Motion.rms(velocity, velocity.length);
+                }).findFirst().orElse(Double.NaN);
     }
 
     private Interval interval(Hypothesis hypothesis, Estimand plain, Estimand scaled) {

@@ -205,6 +205,21 @@ class IntervalsTest {
         assertEquals(Double.POSITIVE_INFINITY, named.std().get("transition_m_per_s"));
     }
 
+    /** Below its transition speed friction is a dashpot: a link whose usual speed is no higher sticks at no time. */
+    @Test
+    void frictionThatHasNoTimeToStickIsADamperThatYields() {
+        assertEquals("The link seat-torso sticks: dry friction", clause(new CoulombFriction(8, 5e-4)));
+        assertEquals("A damper in seat-torso yields: nothing sticks, and above the transition speed its force hardly grows",
+                clause(new CoulombFriction(60, 0.03)));
+    }
+
+    private static String clause(CoulombFriction law) {
+        Hypothesis friction = hypothesis(law, List.of(Hypothesis.Number.sum(1, 0, 300), Hypothesis.Number.factor(2e-5, 0.3)),
+                law.friction(), law.transition());
+        String told = Phrases.of(Library.standard(), fitted(law, friction, new double[] {1, 1}, 0, 0, 3).named(friction, 1));
+        return told.substring(0, told.indexOf(" ("));
+    }
+
     /**
      * Against a search that knows no slopes along the number: bisection, each point refitted with the number taken out of the
      * knobs.

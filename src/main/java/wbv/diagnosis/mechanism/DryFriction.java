@@ -7,7 +7,10 @@ import static wbv.diagnosis.mechanism.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleSupplier;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.CoulombFriction;
 
@@ -23,6 +26,11 @@ record DryFriction() implements Mechanism {
     static final double STUCK = 1e-6;
 
     private static final String BRISTLES = "bristles";
+    private static final String TRANSITION = "transition_m_per_s";
+    /** Which of the two it is. */
+    private static final String REGIME = "regime";
+    private static final String STICKS = "sticks";
+    private static final String YIELDS = "yields";
 
     @Override
     public Together together() {
@@ -32,6 +40,22 @@ record DryFriction() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
+    }
+
+    @Override
+    public String sentence(Set<String> keys, Map<String, String> form) {
+        return YIELDS.equals(form.get(REGIME))
+                ? "A damper in %s yields: nothing sticks, and above the transition speed its force hardly grows" : entry().sentence();
+    }
+
+    /**
+     * Below the transition its force grows with speed as a dashpot's does: where the link's usual speed is no higher than that, there is no
+     * time in which it sticks, whatever name friction has.
+     */
+    @Override
+    public Map<String, String> form(Hypothesis found, Map<String, Double> numbers, DoubleSupplier speed) {
+        return numbers.containsKey(TRANSITION)
+                ? Map.of(REGIME, numbers.get(TRANSITION) < speed.getAsDouble() ? STICKS : YIELDS) : Map.of();
     }
 
     @Override

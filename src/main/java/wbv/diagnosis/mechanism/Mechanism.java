@@ -1,8 +1,10 @@
 package wbv.diagnosis.mechanism;
 
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 
 /**
@@ -138,6 +140,26 @@ public sealed interface Mechanism
      */
     default String sentence(Set<String> keys) {
         return entry().sentence();
+    }
+
+    /**
+     * The same of one in a form that no number tells.
+     *
+     * @param form as {@link #form} says it
+     */
+    default String sentence(Set<String> keys, Map<String, String> form) {
+        return sentence(keys);
+    }
+
+    /**
+     * What one that was found is of several things that go by the same word, where none of its numbers says so by itself: words by what
+     * they tell, such as that friction has no time to stick. Nothing for most.
+     *
+     * @param numbers as they are told, by key
+     * @param speed   of its link, root mean square, as it moves with it [m/s], of a joint [rad/s]; NaN where it is in no link
+     */
+    default Map<String, String> form(Hypothesis found, Map<String, Double> numbers, DoubleSupplier speed) {
+        return Map.of();
     }
 
     /** The word of the vocabulary. */
