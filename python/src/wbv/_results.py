@@ -218,6 +218,8 @@ class Mechanism:
     """Its sizes; units stand in the names."""
     intervals: dict[str, tuple[float, float]]
     """Where each lies with 95 %; NaN on a side that the recording does not bound."""
+    form: dict[str, str] = field(default_factory=dict)
+    """What no number tells, such as the ``side`` of a stop."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -269,4 +271,5 @@ class Diagnosis(Result):
 def _mechanism(one: dict[str, Any]) -> Mechanism:
     return Mechanism(one["mechanism"], one["where"], number(one["probability"]),
                      {key: number(value) for key, value in one["parameters"].items()},
-                     {key: (number(value["low"]), number(value["high"])) for key, value in one["intervals"].items()})
+                     {key: (number(value["low"]), number(value["high"])) for key, value in one["intervals"].items()},
+                     dict(one.get("form", {})))

@@ -159,7 +159,8 @@ final class Standing {
     }
 
     private static Diagnosis.Named named(Hypothesis hypothesis, Fitter.State fit, double probability) {
-        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, Map.of(), Map.of(), fit.reduced());
+        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, Map.of(), Map.of(), fit.reduced())
+                .in(hypothesis.kind().form(hypothesis, Map.of(), () -> Double.NaN));
     }
 
     /** What a fit claims: all that it adds, together, in whatever order. */

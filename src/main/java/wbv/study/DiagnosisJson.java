@@ -35,9 +35,11 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
      * @param std null where the recording does not tell
      * @param intervals that hold 95 %
      * @param identifiable whether both ends are known
+     * @param form what of it no number tells, by what it tells, in a word each
      * @param reduced χ² per number with it, on the data fitted
      */
-    record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
+    record Named(String mechanism, String where, double probability, Map<String, String> form, Map<String, Double> parameters,
+            Map<String, Double> std,
             Map<String, Range> intervals, Map<String, Boolean> identifiable,
             @JsonProperty("chi2_reduced") double reduced) {}
 
@@ -151,6 +153,6 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
             ranges.put(key, Range.of(interval));
             identifiable.put(key, interval.isClosed());
         });
-        return new Named(n.mechanism(), n.where(), n.probability(), n.parameters(), n.std(), ranges, identifiable, n.reduced());
+        return new Named(n.mechanism(), n.where(), n.probability(), n.form(), n.parameters(), n.std(), ranges, identifiable, n.reduced());
     }
 }

@@ -4,7 +4,10 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 
 /** The numbers of a law, a drive or a sensor fault, by their JSON keys, in the order of the record's components. */
 public final class Numbers {
@@ -26,6 +29,17 @@ public final class Numbers {
     public static double[] values(Record record) {
         return java.util.Arrays.stream(record.getClass().getRecordComponents()).filter(c -> c.getType() == double.class)
                 .mapToDouble(c -> (Double) read(record, c)).toArray();
+    }
+
+    /** What of a record no number tells but a choice does, by its JSON key, in the words of the file: such as on which side a stop is. */
+    public static Map<String, String> choices(Record record) {
+        Map<String, String> out = new LinkedHashMap<>();
+        for (RecordComponent component : record.getClass().getRecordComponents()) {
+            if (component.getType().isEnum()) {
+                out.put(component.getAnnotation(Key.class).value(), read(record, component).toString().toLowerCase(Locale.ROOT));
+            }
+        }
+        return out;
     }
 
     /**

@@ -7,6 +7,8 @@ import static wbv.diagnosis.mechanism.Start.grid;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import wbv.body.law.BumpStop;
 import wbv.body.law.HertzStop;
 import wbv.body.law.Law;
@@ -14,12 +16,24 @@ import wbv.body.law.Law;
 /** A stop to one side or to both, straight or round as a ball is. */
 record EndStop() implements Mechanism {
 
+    /** Key of what side it is on. */
+    private static final String SIDE = "side";
     /** The least gap to start from, in parts of the deflection. */
     private static final double LEAST_PART = 2e-3;
 
     @Override
     public Entry entry() {
         return new Entry("contact.bumpstop", Family.CONTACT, "The link %s hits a stop");
+    }
+
+    @Override
+    public String sentence(Set<String> keys, Map<String, String> form) {
+        return switch (form.getOrDefault(SIDE, "")) {
+            case "compression" -> "The link %s hits a stop in compression";
+            case "extension" -> "The link %s hits a stop in extension";
+            case "both" -> "The link %s hits a stop in compression and in extension";
+            default -> entry().sentence();
+        };
     }
 
     @Override

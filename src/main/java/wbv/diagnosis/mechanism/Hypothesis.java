@@ -2,7 +2,9 @@ package wbv.diagnosis.mechanism;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import wbv.body.SensorFault;
 import wbv.body.law.Law;
 import wbv.body.number.Numbers;
@@ -169,6 +171,14 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             next += alike ? 0 : own.length;
             out.add((Law) Numbers.with(law, addition instanceof Addition.AlikeInLink other ? other.numbers(own) : own));
         }
+        return out;
+    }
+
+    /** What its laws choose beside their numbers, by key, see {@link Numbers#choices}. */
+    public Map<String, String> choices() {
+        Map<String, String> out = new LinkedHashMap<>();
+        additions.stream().filter(Addition.OfLink.class::isInstance)
+                .forEach(of -> out.putAll(Numbers.choices((Record) ((Addition.OfLink) of).law())));
         return out;
     }
 

@@ -153,13 +153,14 @@ public sealed interface Mechanism
 
     /**
      * What one that was found is of several things that go by the same word, where none of its numbers says so by itself: words by what
-     * they tell, such as that friction has no time to stick. Nothing for most.
+     * they tell, such as that friction has no time to stick, or the side of a stop. What its law chooses beside its numbers, for most
+     * nothing.
      *
      * @param numbers as they are told, by key
      * @param speed   of its link, root mean square, as it moves with it [m/s], of a joint [rad/s]; NaN where it is in no link
      */
     default Map<String, String> form(Hypothesis found, Map<String, Double> numbers, DoubleSupplier speed) {
-        return Map.of();
+        return found.choices();
     }
 
     /** The word of the vocabulary. */

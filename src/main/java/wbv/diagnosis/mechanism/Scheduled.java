@@ -11,6 +11,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 import wbv.body.law.Law;
 import wbv.body.law.ScheduledFriction;
@@ -41,6 +42,12 @@ record Scheduled(What what) implements Mechanism {
             case DAMPING -> new Entry("damping.scheduled", Family.LOSS, "The damping of %s goes by a measured channel", HOLD);
             case FRICTION -> new Entry("friction.scheduled", Family.LOSS, "There is friction in %s that goes by a measured channel", HOLD);
         };
+    }
+
+    /** What of the link goes by the channel its word says. */
+    @Override
+    public Map<String, String> form(Hypothesis found, Map<String, Double> numbers, DoubleSupplier speed) {
+        return Map.of();
     }
 
     /** It goes by a channel that was measured. */

@@ -8,7 +8,9 @@ import static wbv.diagnosis.mechanism.Start.grid;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import wbv.body.law.Law;
 import wbv.body.law.MuscleReflex;
 import wbv.body.law.Reflex;
@@ -39,6 +41,15 @@ record StretchReflex() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("muscle.reflex", Family.DYNAMIC, "Something at %s answers late, as a muscle does");
+    }
+
+    @Override
+    public String sentence(Set<String> keys, Map<String, String> form) {
+        return switch (form.getOrDefault("side", "")) {
+            case "compression" -> "Something at %s answers late and pushes only, as it is compressed, as a muscle of the other side does";
+            case "extension" -> "Something at %s answers late and pulls only, as it is extended, as a muscle does";
+            default -> entry().sentence();
+        };
     }
 
     @Override

@@ -138,6 +138,10 @@ final class DiagnosisPage {
         List<List<String>> rows = new ArrayList<>();
         for (Diagnosis.Named named : diagnosis.missing()) {
             String place = named.mechanism() + " at " + named.where();
+            for (Map.Entry<String, String> choice : named.form().entrySet()) {
+                rows.add(List.of(place, choice.getKey(), choice.getValue(), "", "", ""));
+                place = "";
+            }
             for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
                 DisplayedNumber amount = DisplayedNumber.of(entry.getKey());
                 Optional<Interval> interval = Optional.ofNullable(named.intervals().get(entry.getKey()));
@@ -148,7 +152,7 @@ final class DiagnosisPage {
                         interval.map(i -> i.from().name().toLowerCase(Locale.ROOT)).orElse("")));
                 place = "";
             }
-            if (named.parameters().isEmpty()) {
+            if (named.parameters().isEmpty() && named.form().isEmpty()) {
                 rows.add(List.of(place, "", "", "", "", ""));
             }
         }

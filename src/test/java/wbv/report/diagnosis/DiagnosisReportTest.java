@@ -48,7 +48,7 @@ class DiagnosisReportTest {
                 List.of(new Model.Link("platform", name, 45e3, 800, Optional.empty(), List.of(), List.of())));
         return new Diagnosis(verdict, "The link " + name + " softens", List.of(
                 new Diagnosis.Located("sternum.acc.z", new double[] {4, 6.5}, new double[] {0, 120}, 0.61, 7 + THIRD)),
-                List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, intervals, 1.04)),
+                List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, intervals, 1.04, 0, Map.of("side", "extension"))),
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
                 new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, List.of(proof(0, 30, 0.31, 0.012, 0.011)),
                         List.of(proof(0.4, 2, 0.05, 0.004, 0.004), proof(2, 22, 0.3, 0.0115, 0.01)),
@@ -114,6 +114,8 @@ class DiagnosisReportTest {
         assertEquals("stiffness.softening", missing.get("mechanism").asText());
         assertEquals("seat-torso", missing.get("where").asText());
         assertEquals(0.97, missing.get("probability").asDouble());
+        assertEquals("extension", missing.get("form").get("side").asText());
+        assertTrue(json.get("alternatives").get(0).get("form").isEmpty());
         assertEquals(-1.2e6 - THIRD, missing.get("parameters").get("k3_N_per_m3").asDouble());
         assertEquals(1e5 / 1.959964, missing.get("std").get("k3_N_per_m3").asDouble(), 1e-6);
         assertTrue(missing.get("std").get("knee_m").isNull(), "what the recording does not tell is null");
@@ -172,6 +174,7 @@ class DiagnosisReportTest {
         assertTrue(html.contains("<p class=\"lead\">The link seat-torso softens</p>"));
         assertTrue(html.contains("not identifiable, at least 0.6"));
         assertTrue(html.contains("−1300000 to −1100000"));
+        assertTrue(html.contains(">side</td>") && html.contains(">extension</td>"), "what no number tells");
         assertTrue(html.contains("Ask seat-torso"));
         assertTrue(html.contains(">45</td>"), "45 kN/m as given");
         assertTrue(html.contains("delay [ms]") && html.contains(">1.2</td>"), "the sensor's small error");
