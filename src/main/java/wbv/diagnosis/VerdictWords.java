@@ -63,8 +63,8 @@ final class VerdictWords {
                 + shown(rivals).findFirst().map(rival -> nextBest(rival, numbers)).orElse("") + ".";
     }
 
-    /** Those that explain something of a mismatch, if there is one. */
-    private Stream<Diagnosis.Named> shown(List<Diagnosis.Named> rivals) {
+    /** Those that explain something of a mismatch, if there is one: the others are told nowhere, and nothing need settle them. */
+    Stream<Diagnosis.Named> shown(List<Diagnosis.Named> rivals) {
         return rivals.stream()
                 .filter(rival -> base.reduced() <= Priors.SILENT || Refinement.explained(base, rival.reduced()) >= LEAST_SHOWN);
     }

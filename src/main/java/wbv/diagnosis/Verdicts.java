@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.OddSensor;
 import wbv.diagnosis.search.Priors;
@@ -134,8 +135,11 @@ final class Verdicts {
     }
 
     private String experiment(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals, boolean idle) {
+        List<Diagnosis.Named> open = grounds.words().shown(rivals).toList();
+        boolean nameless = verdict == Diagnosis.Verdict.UNEXPLAINED && missing.isEmpty() && open.isEmpty();
         return idle ? Experiments.CAUSE : verdict == Diagnosis.Verdict.CANNOT_TELL ? Experiments.AGAIN
-                : new Experiments(evidence.library()).between(missing, rivals, atBase(), grounds.scale().deviation() > 0, turned());
+                : nameless ? Family.UNLISTED.experiment()
+                        : new Experiments(evidence.library()).between(missing, open, atBase(), grounds.scale().deviation() > 0, turned());
     }
 
     /** The link on the base and the body on it. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import wbv.body.law.LearnedTerm;
@@ -17,6 +18,7 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.learn.LawLearnerTest;
+import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.search.Chosen;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.MassScale;
@@ -64,6 +66,23 @@ class VerdictWordsTest {
         String sentence = ambiguous(21, named("contact.bumpstop", 0.3, 20.95));
         assertFalse(sentence.contains("two apart"), sentence);
         assertTrue(sentence.endsWith("No other name explains any of it, and this one leaves too much to be sure."), sentence);
+    }
+
+    /** Nor is an experiment advised against it: the first level again, for a change in time that takes 0 % of the mismatch. */
+    @Test
+    void nothingNeedSettleARivalThatExplainsNothing() {
+        Diagnosis.Named drift = named("drift.slow", 0.01, 20.95);
+        Diagnosis.Named yielding = named("hysteresis", 0.01, 6);
+        VerdictWords loud = new VerdictWords(fits(21), 21, new MassScale(1, 0));
+        assertEquals(List.of(yielding), loud.shown(List.of(drift, yielding)).toList());
+        assertFalse(advised(loud, drift).contains("A-B-A"));
+        VerdictWords quiet = new VerdictWords(fits(1.02), 1, new MassScale(1, 0));
+        assertTrue(advised(quiet, drift).contains("A-B-A"), "where noise is all that is left nobody explains any");
+    }
+
+    private static String advised(VerdictWords words, Diagnosis.Named rival) {
+        return new Experiments(Library.standard()).between(List.of(named("stiffness.softening", 0.99, 2)),
+                words.shown(List.of(rival)).toList(), Set.of(), false, false);
     }
 
     @Test
