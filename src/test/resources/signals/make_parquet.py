@@ -35,6 +35,8 @@ pq.write_table(pa.table({"a16": counts.astype("i2"), "a64": counts, "u8": np.ara
 stamps = {"when": pa.array(nanoseconds, pa.timestamp("ns")), "seat.acc.z": seat}
 pq.write_table(pa.table(stamps), "pyarrow-lz4-int96.parquet", compression="lz4", use_deprecated_int96_timestamps=True)
 pq.write_table(pa.table(stamps), "pyarrow-milliseconds.parquet", coerce_timestamps="ms", allow_truncated_timestamps=True)
+# Half a second later, at another place, on a clock of milliseconds: to be joined with polars-zstd.parquet.
+pq.write_table(pa.table({"when": pa.array(nanoseconds[30:] // 1_000_000, pa.timestamp("ms")), "sternum.acc.z": seat[30:]}), "pyarrow-later.parquet")
 # What is refused.
 pq.write_table(pa.table({"t": t, "head.acc.z": head}), "pyarrow-brotli.parquet", compression="brotli")
 pq.write_table(pa.table({"when": stamps["when"], "pads": pa.array([[1.0, 2.0]] * n), "remark": words}), "pyarrow-nested.parquet")

@@ -2,8 +2,10 @@ package wbv.recording.format;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.util.OptionalDouble;
 import java.util.zip.ZipException;
 import wbv.recording.DataFault;
+import wbv.recording.signals.Label;
 import wbv.recording.signals.SignalFile;
 
 /** The rows of a file of signals, those that are wanted in their slots. */
@@ -13,6 +15,7 @@ final class SignalRows implements SlotRows {
     private final SignalFile signals;
     private final int[] slots;
     private final double[] all;
+    private final boolean isTime;
     private long rows;
 
     /** @param slots by signal */
@@ -21,6 +24,8 @@ final class SignalRows implements SlotRows {
         this.signals = signals;
         this.slots = slots.clone();
         this.all = new double[slots.length];
+        this.isTime = signals.time().map(name -> signals.labels().stream().map(Label::name).toList().indexOf(name))
+                .filter(at -> at >= 0 && slots[at] == 0).isPresent();
     }
 
     @Override
@@ -52,6 +57,12 @@ final class SignalRows implements SlotRows {
     @Override
     public long line() {
         return 0;
+    }
+
+    /** Where the signal of dates is the time and not another. */
+    @Override
+    public OptionalDouble origin() {
+        return isTime ? signals.origin() : OptionalDouble.empty();
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToLongFunction;
 import org.apache.parquet.column.ColumnDescriptor;
@@ -111,6 +112,12 @@ final class ParquetColumn {
             begun = true;
         }
         return (now - origin) / (double) clock.perSecond;
+    }
+
+    /** What the first timestamp was, in seconds from the beginning of 1970 [s]; empty before it was read, and of numbers. */
+    OptionalDouble origin() {
+        return ticks.filter(clock -> begun).map(clock -> OptionalDouble.of(origin / (double) clock.perSecond))
+                .orElse(OptionalDouble.empty());
     }
 
     ColumnDescriptor descriptor() {

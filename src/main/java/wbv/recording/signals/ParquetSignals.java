@@ -52,7 +52,7 @@ final class ParquetSignals implements SignalFile {
     private final Map<String, String> notes = new LinkedHashMap<>();
     private final Map<String, String> units = new LinkedHashMap<>();
     private OptionalDouble rate = OptionalDouble.empty();
-    private Optional<String> time = Optional.empty();
+    private final Optional<ParquetColumn> clock;
     private long left;
     private long read;
 
@@ -68,7 +68,7 @@ final class ParquetSignals implements SignalFile {
             ParquetColumn.of(each, String.join(".", each.getPath())).ifPresentOrElse(columns::add,
                     () -> others.add(list ? each.getPath()[0] : String.join(".", each.getPath())));
         }
-        Optional<ParquetColumn> clock = columns.stream().filter(column -> ClockWords.isTime(column.name())).findFirst()
+        clock = columns.stream().filter(column -> ClockWords.isTime(column.name())).findFirst()
                 .or(() -> columns.stream().filter(ParquetColumn::isTimestamp).findFirst());
         columns.stream().filter(column -> column.isTimestamp() && clock.get() != column).forEach(column -> others.add(column.name()));
         columns.removeIf(column -> column.isTimestamp() && clock.get() != column);
@@ -77,7 +77,6 @@ final class ParquetSignals implements SignalFile {
                     : "; there are " + Header.shortened(List.copyOf(others))
                             + ", text, dates or lists (write one number a row and column)"));
         }
-        time = clock.map(ParquetColumn::name);
         for (ParquetColumn column : columns) {
             Label label = Label.of(column.name());
             labels.add(Optional.ofNullable(units.get(column.name())).flatMap(UnitWords::of).map(label::in).orElse(label));
@@ -195,7 +194,12 @@ final class ParquetSignals implements SignalFile {
 
     @Override
     public Optional<String> time() {
-        return time;
+        return clock.map(ParquetColumn::name);
+    }
+
+    @Override
+    public OptionalDouble origin() {
+        return clock.map(ParquetColumn::origin).orElse(OptionalDouble.empty());
     }
 
     @Override

@@ -16,6 +16,13 @@ public interface SignalFile extends Closeable {
     /** The signal that holds the time [s], if one does. */
     Optional<String> time();
 
+    /**
+     * What a calendar says at time 0, in seconds from the beginning of 1970 [s], where the times are dates: known once one was read.
+     */
+    default OptionalDouble origin() {
+        return OptionalDouble.empty();
+    }
+
     /** Samples per second [Hz], where there is no signal of times but a rate; Parquet states it beside the times. */
     OptionalDouble rate();
 

@@ -136,6 +136,24 @@ class ParquetTest {
         }
     }
 
+    /** Each counts from its own first row, which are half a second apart. */
+    @Test
+    void filesAreJoinedByTheirTimestamps() throws IOException {
+        OptionalDouble rate = OptionalDouble.of(60);
+        ReadOptions options = new ReadOptions(Optional.empty(), rate, Map.of());
+        List<double[]> rows;
+        try (RowReader joined = new RecordingSet(List.of(new RecordingFile(MADE.resolve("pyarrow-later.parquet"), options),
+                new RecordingFile(MADE.resolve("polars-zstd.parquet"), options))).open()) {
+            assertEquals("[sternum.acc.z, head.acc.z, seat.acc.z]", joined.channels().toString());
+            rows = Samples.rows(joined);
+        }
+        assertEquals(ROWS, rows.size());
+        for (int i = 0; i < ROWS; i++) {
+            assertEquals(i / 60.0, rows.get(i)[0], 0.001, "whole milliseconds, cut off");
+            assertEquals(i < 30 ? Double.NaN : rows.get(i)[3], rows.get(i)[1], "what was the same at one moment stands in one row");
+        }
+    }
+
     /** Steps of a second's part, as NumPy rounded them. */
     private static double[] rounded(double perSecond) {
         double[] times = new double[ROWS];
