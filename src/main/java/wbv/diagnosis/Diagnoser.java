@@ -113,7 +113,7 @@ public final class Diagnoser {
         // The little that is left may be a person's own force, or noise of an input of which nobody knows it.
         boolean quiet = Math.max(base.reduced(), heldOut) < Priors.SILENT;
         return louderLater ? louderLater() : loud ? searched() : quiet ? Conclusion.of(inquiry, List.of())
-                : sittingStill().orElseGet(() -> Conclusion.of(inquiry.hearingInput(base), List.of()));
+                : noiseAlone().orElseGet(() -> Conclusion.of(inquiry.hearingInput(base), List.of()));
     }
 
     /** The diagnosis where data not used for the fit show much more than those that were: first of those that show it plainly. */
@@ -131,12 +131,12 @@ public final class Diagnoser {
     /** The diagnosis where something is missing, if no more than a person's own force. */
     private Diagnosed searched() {
         return evidence.acting().own().isPresent() ? asKnown(Whereabouts.found(evidence, base))
-                : sittingStill().or(this::linear).orElseGet(() -> withOwnForce(Whereabouts.found(evidence, base)));
+                : noiseAlone().or(this::linear).orElseGet(() -> withOwnForce(Whereabouts.found(evidence, base)));
     }
 
-    /** The diagnosis where all that is left is what a person does who sits still. */
-    private Optional<Diagnosed> sittingStill() {
-        return inquiry.knowingWhoSitsStill().map(knowing -> Conclusion.of(knowing, List.of()));
+    /** The diagnosis where all that is left is what a person does who sits still, or noise of a rig's input. */
+    private Optional<Diagnosed> noiseAlone() {
+        return inquiry.knowingWhoSitsStill().or(inquiry::hearingInputAlone).map(knowing -> Conclusion.of(knowing, List.of()));
     }
 
     /**

@@ -11,14 +11,18 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Effort;
 import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.PushedLaws;
 import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Screening;
 import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
 
@@ -85,6 +89,24 @@ final class Inquiry {
         boolean open = !evidence.measured().isInputNoiseKnown() && evidence.heard().isEmpty();
         Map<Channel, Double> levels = open ? new InputLevel(evidence).of(fit) : Map.of();
         return levels.isEmpty() ? this : new Inquiry(evidence.with(levels), baseline, progress);
+    }
+
+    /**
+     * The same where noise of the input of which nobody knew is all that is left: no more than noise, of which no law promises to leave
+     * less. Then none need be fitted.
+     */
+    Optional<Inquiry> hearingInputAlone() {
+        return Optional.of(hearingInput(base())).filter(hearing -> hearing != this)
+                .filter(hearing -> seen(hearing.evidence, base()).reduced() < Priors.LOUD)
+                .filter(hearing -> hearing.leaves(hearing.base(), Priors.SILENT) && !hearing.isAnyPromising());
+    }
+
+    /** Whether a law promises to first order to leave so much less that it would be likelier than none. */
+    private boolean isAnyPromising() {
+        Fitter.State fit = base();
+        double degrees = fit.frame().whitening().degrees();
+        return new Screening(evidence, fit, Motion.measured(evidence, fit.candidate().at(fit.x()))).scores(search.hypotheses(fit)).stream()
+                .anyMatch(score -> !Calibration.standard().isAsLikely(fit.reduced(), (fit.square() - score.gain()) / degrees));
     }
 
     Evidence evidence() {

@@ -204,7 +204,7 @@ public final class Search {
     }
 
     /** Those of the library at a fit. */
-    List<Hypothesis> hypotheses(Fitter.State base) {
+    public List<Hypothesis> hypotheses(Fitter.State base) {
         return evidence.known().once(new On(base), () -> {
             Assembly fitted = base.candidate().at(base.x());
             return evidence.library().hypotheses(FittedScene.of(evidence, fitted, Motion.measured(evidence, fitted),
