@@ -71,7 +71,7 @@ class ImitatedNumberTest {
         Excitation excitation = Excitation.of(model, recording, recording.length());
         Simulator simulator = new Simulator(excitation);
         Assembly plain = model.assembly();
-        Assembly remembering = new Assembly(plain.structure(), List.of(new LawAt(LINK, new MaxwellArm(180_000, 0.05))), plain.drives(),
+        Assembly remembering = new Assembly(plain.structure(), List.of(new LawAt(LINK, new MaxwellArm(180_000, 0.06))), plain.drives(),
                 plain.outputs());
         double[][] without = simulator.run(plain, false).outputs();
         double[][] with = simulator.run(remembering, false).outputs();
