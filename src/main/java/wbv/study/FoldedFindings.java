@@ -195,7 +195,8 @@ public final class FoldedFindings {
         } else if (first instanceof Finding.GrossBias) {
             message = named(same, "have a gross bias");
         } else if (first instanceof Finding.ImplausibleUnit) {
-            message = named(same, "seem to be in another unit");
+            List<String> likely = same.stream().map(each -> ((Finding.ImplausibleUnit) each).likely()).distinct().toList();
+            message = named(same, likely.size() > 1 ? "seem to be in another unit" : "look like " + likely.get(0));
         } else {
             throw new IllegalStateException("of the whole recording: " + first);
         }

@@ -1,6 +1,5 @@
 package wbv.recording.format;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -79,13 +78,13 @@ final class Cells {
             position++;
         }
         if (position < to) {
-            throw ragged(DelimitedTable.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator).size());
+            throw ragged(DelimitedTable.names(Head.text(text, from, to), separator).size());
         }
     }
 
     /** Whether no cell of a line begins as a number does, and there are letters in it. */
     boolean areWords(byte[] text, int from, int to) {
-        List<String> words = DelimitedTable.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator);
+        List<String> words = DelimitedTable.names(Head.text(text, from, to), separator);
         return words.stream().noneMatch(word -> !word.isEmpty() && "+-.0123456789?".indexOf(word.charAt(0)) >= 0 && !word.equals("-"))
                 && words.stream().anyMatch(word -> !word.isEmpty() && !word.equalsIgnoreCase("nan"));
     }
@@ -101,7 +100,7 @@ final class Cells {
      * @param text of that line
      */
     String word(byte[] text) {
-        return DelimitedTable.names(new String(text, wordFrom, wordTo - wordFrom, StandardCharsets.UTF_8), separator).get(0);
+        return DelimitedTable.names(Head.text(text, wordFrom, wordTo), separator).get(0);
     }
 
     private int cellEnd(byte[] text, int from, int to) {
@@ -136,10 +135,20 @@ final class Cells {
             }
             return Decimal.parse(text, from, to, point);
         } catch (NumberFormatException notNumber) {
+            String cell = shortened(text, from, to);
             throw new DataFault("column " + columns.get(column) + " must be "
-                    + (stamped ? "a date and time as before" : "a finite number, or empty where it is missing") + ": '"
-                    + shortened(text, from, to) + "'");
+                    + (slots[column] == 0 && stamps.isPresent() ? time(cell) : number(cell)) + ": '" + cell + "'");
         }
+    }
+
+    private String time(String cell) {
+        return stamped ? "a date and time as before"
+                : cell.indexOf(':') < 0 ? number(cell) : "a number, or a date and time of ISO 8601, such as 2025-03-04T10:15:00.005";
+    }
+
+    private static String number(String cell) {
+        boolean thousands = cell.indexOf('.') >= 0 && cell.indexOf(',') >= 0;
+        return "a finite number" + (thousands ? " without marks between thousands" : "") + ", or empty where it is missing";
     }
 
     private double time(Timestamps clock, byte[] text, int from, int to) {
@@ -150,12 +159,13 @@ final class Cells {
     }
 
     private static String shortened(byte[] text, int from, int to) {
-        String cell = new String(text, from, Math.min(to - from, 40), StandardCharsets.UTF_8);
+        String cell = Head.text(text, from, Math.min(to, from + 40));
         return to - from > 40 ? cell + "…" : cell;
     }
 
     private DataFault ragged(int cells) {
         return new DataFault("the row has " + cells + (cells == 1 ? " cell" : " cells") + " where the header names " + slots.length
-                + "; mend or remove the line");
+                + (separator == ',' && cells >= 2 * slots.length - 1
+                        ? "; where commas are decimal, part the cells by semicolons" : "; mend or remove the line"));
     }
 }

@@ -61,7 +61,7 @@ final class CsvFormat implements Format {
             String line = lines.text();
             if (line.startsWith("#")) {
                 comments.add(line.substring(1).strip());
-            } else if (!line.isBlank()) {
+            } else if (!line.isBlank() && !Head.isParted(line)) {
                 break;
             }
         }

@@ -4,7 +4,6 @@ import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.zip.ZipException;
 import wbv.recording.DataFault;
@@ -100,7 +99,7 @@ final class Lines implements Closeable {
 
     /** The present line as text. */
     String text() {
-        return new String(buffer, from, to - from, StandardCharsets.UTF_8);
+        return Head.text(buffer, from, to);
     }
 
     String name() {

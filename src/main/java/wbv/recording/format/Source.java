@@ -7,7 +7,6 @@ import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.SequenceInputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -99,7 +98,11 @@ final class Source implements Closeable {
 
     /** The first bytes as text. */
     String headText() {
-        return new String(head, StandardCharsets.UTF_8);
+        int whole = head.length;
+        while (whole > 0 && head[whole - 1] < 0) { // half a character, where the beginning ends within one
+            whole--;
+        }
+        return Head.text(head, 0, whole);
     }
 
     /** The content from its beginning. */

@@ -2,15 +2,20 @@ package wbv.recording.format;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.recording.DataFault;
 import wbv.recording.RowReader;
 
 /** The ways in which programs and places write the same table. */
@@ -25,6 +30,7 @@ class PlainTextTest {
         "\uFEFFt,head.acc.z\r\n0,1.5\r\n0.5,-2\r\n",
         "t;head.acc.z\n0;1,5\n0,5;-2",
         "t\thead.acc.z\n0\t1.5\n0.5\t-2\n\n\n",
+        "sep=;\r\nt;head.acc.z\r\n0;1,5\r\n0,5;-2\r\n",
         "# made by hand\n\n \"t\" , \"head.acc.z\" ,\n 0 , 1.5 ,\n\"0.5\",\"-2\",\n# end\n",
         "head.acc.z,t\n+1.5,0.0\n-2e0,5E-1\n",
         "@RELATION x\r\n@ATTRIBUTE t REAL\r\n@ATTRIBUTE \"head.acc.z\" NUMERIC\r\n@DATA\r\n0,1.5\r\n\r\n0.5,-2\r\n"})
@@ -33,6 +39,38 @@ class PlainTextTest {
         assertEquals(2, rows.size());
         assertArrayEquals(new double[] {0, 1.5}, rows.get(0));
         assertArrayEquals(new double[] {0.5, -2}, rows.get(1));
+    }
+
+    /** As Excel saves a CSV on Windows, where m/s² is no UTF-8. */
+    @Test
+    void whatIsNoUtf8IsReadAsWindowsWritesIt() throws IOException {
+        byte[] text = "# Gerät: 3\nt;head.acc.z\ns;mm/s²\n0;1500\n0,5;-2000\n".getBytes(Charset.forName("windows-1252"));
+        Path file = Files.write(folder.resolve("r.csv"), text);
+        try (RowReader reader = new RecordingFile(file).open()) {
+            assertEquals("3", reader.metadata().notes().get("Gerät"));
+            assertArrayEquals(new double[] {0, 1.5}, Samples.rows(reader).get(0), 1e-15);
+        }
+    }
+
+    /** What is wrong is told of the column that is wrong, and what would be right. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "2025-03-04T10:15:00;#DIV/0!|r.csv:2: column head.acc.z must be a finite number, or empty where it is missing: '#DIV/0!'",
+        "2025-03-04T10:15:00;1.838,001|r.csv:2: column head.acc.z must be a finite number without marks between thousands",
+        "04.03.2025 10:15:00,000;1|r.csv:2: column t must be a number, or a date and time of ISO 8601, such as 2025-03-04T10:15:00.005",
+        "10 s;1|r.csv:2: column t must be a finite number"})
+    void aCellThatIsNoNumberIsToldWithItsColumn(String row, String told) throws IOException {
+        RecordingFile file = Samples.recording(folder, "r.csv", "t;head.acc.z\n" + row + "\n");
+        String message = assertThrows(DataFault.class, () -> Samples.rows(file.open())).getMessage();
+        assertTrue(message.contains(told), message);
+    }
+
+    @Test
+    void decimalCommasBetweenCommasAreToldAsThat() throws IOException {
+        RecordingFile file = Samples.recording(folder, "r.csv", "t,head.acc.z,seat.acc.z\n0,00,1,5,2,5\n");
+        String message = assertThrows(DataFault.class, () -> Samples.rows(file.open())).getMessage();
+        assertTrue(message.contains("the row has 6 cells where the header names 3; where commas are decimal, part the cells by semicolons"),
+                message);
     }
 
     @Test

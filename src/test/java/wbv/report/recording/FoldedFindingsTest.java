@@ -11,6 +11,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
+import wbv.recording.Quantity;
 import wbv.recording.inspect.Finding;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.Severity;
@@ -60,6 +61,20 @@ class FoldedFindingsTest {
         assertEquals(findings.get(3).message(), folded.get(0).message(), "what is alone is said as it is");
         assertTrue(folded.stream().anyMatch(each -> each.message().equals("2 channels never move: head.acc.z, seat.acc.z")),
                 folded.toString());
+    }
+
+    @Test
+    void sensorsInAnotherUnitAreToldWhichWhereItIsOne() {
+        List<Finding> findings = new ArrayList<>(List.of(unit("seat", "mm/s² read as m/s²"), unit("head", "mm/s² read as m/s²")));
+        assertEquals("2 sensors look like mm/s² read as m/s²: seat, head",
+                FoldedFindings.of(inspection(findings), Set.copyOf(PLACES)).get(0).message());
+        findings.add(unit("pelvis", "g read as m/s²"));
+        assertEquals("3 sensors seem to be in another unit: seat, head, pelvis",
+                FoldedFindings.of(inspection(findings), Set.copyOf(PLACES)).get(0).message());
+    }
+
+    private static Finding unit(String place, String likely) {
+        return new Finding.ImplausibleUnit(place, Quantity.ACCELERATION, 900, "m/s²", likely);
     }
 
     @Test
