@@ -10,7 +10,6 @@ import java.util.function.Supplier;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.search.Calibration;
 import wbv.diagnosis.search.Priors;
 import wbv.diagnosis.search.Refinement;
 
@@ -94,13 +93,13 @@ final class Naming {
 
     /**
      * Whether data not used for the fit are explained about as well, where they show something: a wrong law with enough freedom follows
-     * only what it has seen. What leaves no more than noise there but for chance, be it as loud as it may, explains all that they show.
+     * only what it has seen. What leaves no more than noise there, be it as loud as it may, explains all that they show.
      */
     private boolean carriesOver() {
         double floor = grounds.evidence().floor();
         double before = grounds.heldBefore();
         double explained = (base.reduced() - best.reduced()) / (base.reduced() - floor);
-        return before < Priors.STRANGE * floor || grounds.heldAfter() <= 1 + Calibration.standard().chance()
+        return before < Priors.STRANGE * floor || grounds.heldAfter() < Priors.SILENT
                 || (before - grounds.heldAfter()) / (before - floor) > (1 - Priors.UNLISTED) * explained;
     }
 

@@ -32,6 +32,14 @@ class ChangingBenchTest {
         assertTrue(named.intervals().get("time_s").high() - named.intervals().get("time_s").low() < 5 / pace, d.sentence());
     }
 
+    /** What has changed by then shows in data not used as little as their noise does. */
+    @Tag("slow")
+    @ParameterizedTest
+    @CsvSource({"40, 21", "40, 22"})
+    void aSpringThatGaveWayEarlyIsNamedWhereDataNotUsedShowLittle(double pace, long seed) {
+        only(diagnosed(pace, share -> share < 0.15 ? 1 : 0.97, STEADY, seed), "drift.step");
+    }
+
     /** Along half a cosine, which is none of the library's, over fifteen periods. */
     @Tag("slow")
     @ParameterizedTest
@@ -82,6 +90,7 @@ class ChangingBenchTest {
     }
 
     private static Diagnosis.Named only(Diagnosis d, String mechanism) {
+        assertEquals(Diagnosis.Verdict.MISSING_PHYSICS, d.verdict(), d.sentence());
         assertEquals(List.of(mechanism + " at ground-mass"),
                 d.missing().stream().map(named -> named.mechanism() + " at " + named.where()).toList(), d.sentence());
         return d.missing().get(0);
