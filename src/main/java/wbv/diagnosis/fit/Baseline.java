@@ -20,7 +20,10 @@ import wbv.body.Structure;
 public final class Baseline {
 
     private static final double SPRING = 2;
-    /** How well masses of a person are known [1]. */
+    /**
+     * How well masses of a person are known: standard deviation of their logarithm [1], assumed. Those of a bench are known as its
+     * stiffnesses are.
+     */
     public static final double MASS = 0.15;
     private static final double FARTHEST = 3.2;
     /**
