@@ -27,13 +27,15 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         double step = evidence.recording().clock().step();
         double[][] early = new double[evidence.outputs().size()][0];
         for (int o = 0; o < early.length && !evidence.measured().computed(); o++) {
-            double[] slope = slope(evidence.measured(o), step);
-            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.measured().sample()));
-            Quantity quantity = evidence.outputs().get(o).quantity();
-            if (quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE || evidence.onRig()) {
-                all.addSensor(evidence, o, slope);
+            early[o] = scaled(slope(evidence.measured(o), step),
+                    new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.measured().sample()));
+        }
+        for (int o = 0; o < early.length && !evidence.measured().computed(); o++) {
+            if (errs(evidence, o) && (o > 0 || !evidence.measuresForces())) {   // else the first is what others are measured by
+                all.add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
             }
-            if (quantity == Quantity.ACCELERATION) {
+            all.addDelay(evidence, o, early);
+            if (evidence.outputs().get(o).quantity() == Quantity.ACCELERATION) {
                 all.addPose(evidence, o, step);
             }
         }
@@ -63,12 +65,20 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         }).toList());
     }
 
-    private void addSensor(Evidence evidence, int o, double[] slope) {
-        if (o > 0 || !evidence.measuresForces()) {   // else the first is what others are measured by
-            add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
+    private static boolean errs(Evidence evidence, int o) {
+        Quantity quantity = evidence.outputs().get(o).quantity();
+        return quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE || evidence.onRig();
+    }
+
+    /** The channels of a device have one clock: of its first output, what all read less while they grow. */
+    private void addDelay(Evidence evidence, int o, double[][] early) {
+        List<Integer> device = new Place(Place.Kind.DEVICE, o).channels(evidence);
+        if (device.get(0) == o && device.stream().anyMatch(channel -> errs(evidence, channel))) {
+            double[][] late = new double[early.length][0];
+            device.forEach(channel -> late[channel] = scaled(early[channel], -1));
+            errors.add(new SmallError(Kind.DELAY, o, ""));
+            shapes.add(late);
         }
-        // What is late reads less while it grows.
-        add(evidence, new SmallError(Kind.DELAY, o, ""), scaled(slope, -1));
     }
 
     /** How an accelerometer sits. */
@@ -89,8 +99,11 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         String name = evidence.model().base().sensors().get(axis).toString();
         double[][] answer = answer(evidence, axis, axis);
         addOfBase(evidence, new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name), -1, answer);
-        addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1,
-                Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
+        List<Channel> sensors = evidence.model().base().sensors();
+        if (evidence.onRig() || !sensors.get(axis).location().equals(sensors.get(0).location())) {   // else their clock is one
+            addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1,
+                    Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
+        }
     }
 
     /** A sensor of the base that is tilted, or not where it should be, reads what the base does along its other axes. */

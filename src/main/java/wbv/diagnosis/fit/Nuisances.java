@@ -43,7 +43,7 @@ public final class Nuisances {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         Columns all = new Columns(shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new));
         return new Nuisances(whitening.window(), sample, shapes.errors(), all, squares(all, shapes.errors()),
-                new SensorDelays(shapes.errors(), sample), 1);
+                SensorDelays.of(evidence, shapes.errors()), 1);
     }
 
     private static BoundedLeastSquares squares(Columns columns, List<SmallError> errors) {
@@ -176,10 +176,15 @@ public final class Nuisances {
             double delay = error.isDelay() && !error.isInput() ? error.deviation(sample) * sizes[i] : 0;
             if (gain != 1 || delay != 0) {
                 double[] factor = Lateness.factor(window.lines(), line -> 2 * Math.PI * window.frequency(line), gain, delay);
-                out[error.owner()] = Spectra.product(out[error.owner()], factor);
+                outputs(error).forEach(o -> out[o] = Spectra.product(out[o], factor));
             }
         }
         return out;
+    }
+
+    /** Outputs whose own an error is: of a delay all of its clock. */
+    IntStream outputs(SmallError error) {
+        return error.isDelay() ? delays.outputs(error) : IntStream.of(error.owner());
     }
 
     int count() {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.measured.SmallError;
 
@@ -131,9 +132,11 @@ public final class Readings {
         Map<String, Map<String, Double>> out = new LinkedHashMap<>();
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);
-            String owner = error.owner() == SmallError.INPUT ? "input" : evidence.outputs().get(error.owner()).toString();
+            double size = state.errors()[i] * error.deviation(sample);
+            Stream<String> owners = error.owner() == SmallError.INPUT ? Stream.of("input")
+                    : nuisances.outputs(error).mapToObj(o -> evidence.outputs().get(o).toString());
             if (!off[i] && error.isOfSensor()) {
-                out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
+                owners.forEach(owner -> out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), size));
             }
         }
         return out;

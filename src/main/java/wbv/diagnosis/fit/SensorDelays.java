@@ -2,34 +2,43 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
-import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import wbv.diagnosis.measured.SmallError;
 import wbv.signal.ScalarProduct;
 
 /**
- * How late sensors are. Delays alone of all small errors are not linear up to the highest line that counts: they are exact about where a
- * fit has them, and only what they are more or less counts to first order.
+ * How late sensors are: one delay for all channels of a device, which have one clock. Delays alone of all small errors are not linear up to
+ * the highest line that counts: they are exact about where a fit has them, and only what they are more or less counts to first order.
  */
 public final class SensorDelays {
 
     private final List<SmallError> errors;
+    /** First output of its device, by output: the owner of what all have. */
+    private final List<Integer> clocks;
     private final double sample;
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
     private final double[] exact;
 
+    /** None yet. */
+    static SensorDelays of(Evidence evidence, List<SmallError> errors) {
+        return new SensorDelays(errors, IntStream.range(0, evidence.outputs().size())
+                .mapToObj(o -> new Place(Place.Kind.DEVICE, o).channels(evidence).get(0)).toList(), evidence.measured().sample());
+    }
+
     /**
      * None yet.
      *
+     * @param clocks by output, the first output of its device
      * @param sample time between two samples as they were recorded [s]
      */
-    SensorDelays(List<SmallError> errors, double sample) {
-        this(errors, sample, new double[errors.size()]);
+    SensorDelays(List<SmallError> errors, List<Integer> clocks, double sample) {
+        this(errors, clocks, sample, new double[errors.size()]);
     }
 
-    private SensorDelays(List<SmallError> errors, double sample, double[] exact) {
+    private SensorDelays(List<SmallError> errors, List<Integer> clocks, double sample, double[] exact) {
         this.errors = errors;
+        this.clocks = clocks;
         this.sample = sample;
         this.exact = exact;
     }
@@ -40,7 +49,7 @@ public final class SensorDelays {
      * @param sizes of all errors, in standard deviations. Not modified.
      */
     SensorDelays about(double[] sizes) {
-        return new SensorDelays(errors, sample,
+        return new SensorDelays(errors, clocks, sample,
                 IntStream.range(0, sizes.length).mapToDouble(i -> errors.get(i).isDelay() ? sizes[i] : 0).toArray());
     }
 
@@ -79,7 +88,7 @@ public final class SensorDelays {
         for (int i = 0; i < exact.length; i++) {
             double own = off[i] || exact[i] == 0 ? 0 : errors.get(i).deviation(sample) * exact[i];
             for (int o = 0; o < outputs; o++) {
-                delay[o] += errors.get(i).isInput() ? -own : errors.get(i).owner() == o ? own : 0;
+                delay[o] += errors.get(i).isInput() ? -own : isOf(errors.get(i), o) ? own : 0;
             }
         }
         return new Lateness(Arrays.stream(delay)
@@ -93,28 +102,38 @@ public final class SensorDelays {
     }
 
     /**
-     * How odd it is [1] that some sensors are as late as they are against the input's and all others: by how much less the squares of all
-     * delays add up to at least, in standard deviations, if theirs were not scatter. Of sensors that only scatter it is distributed as χ²
-     * of as many degrees of freedom, however many there are beside them; data tell no delay but against the input's.
+     * How odd it is [1] that an output's clock is as late as it is against the input's and all others: by how much less the squares of all
+     * delays add up to at least, in standard deviations, if its own were not scatter. Of sensors that only scatter it is distributed as χ²
+     * of one degree of freedom, however many there are beside it; data tell no delay but against the input's.
      *
-     * @param outputs of these sensors
+     * @param output of this clock
      * @param sizes one an error, in standard deviations [1]. Not modified.
      * @param off errors that are not asked, see {@link Nuisances#off}. Not modified.
      * @return [1]
      */
-    public double oddness(Set<Integer> outputs, double[] sizes, boolean[] off) {
-        return least(sizes, off, owner -> true) - least(sizes, off, owner -> !outputs.contains(owner));
+    public double oddness(int output, double[] sizes, boolean[] off) {
+        return least(sizes, off, error -> true) - least(sizes, off, error -> !isOf(error, output));
     }
 
     /** Least sum of squares of the delays of the input's sensor and of some others [1]. */
-    private double least(double[] sizes, boolean[] off, IntPredicate scatters) {
+    private double least(double[] sizes, boolean[] off, Predicate<SmallError> scatters) {
         int[] inputs = delays(off).filter(i -> errors.get(i).isInput()).toArray();
         double input = IntStream.of(inputs).mapToDouble(i -> sizes[i]).sum();
-        double[] against = delays(off).filter(i -> !errors.get(i).isInput() && scatters.test(errors.get(i).owner()))
+        double[] against = delays(off).filter(i -> !errors.get(i).isInput() && scatters.test(errors.get(i)))
                 .mapToDouble(i -> sizes[i] - input).toArray();
         double sum = Arrays.stream(against).sum();
         // Least Σ (d + u)² + u² over the input's delay u.
         return ScalarProduct.of(against, against) - inputs.length * sum * sum / (against.length + 1);
+    }
+
+    /** Whether an error is the delay of an output's clock. */
+    private boolean isOf(SmallError error, int output) {
+        return error.isDelay() && error.owner() == clocks.get(output);
+    }
+
+    /** Those outputs. */
+    IntStream outputs(SmallError error) {
+        return IntStream.range(0, clocks.size()).filter(output -> isOf(error, output));
     }
 
     private IntStream delays(boolean[] off) {
@@ -122,12 +141,12 @@ public final class SensorDelays {
     }
 
     /**
-     * How late an output's own sensor is [s].
+     * How late an output's sensor is [s].
      *
      * @param sizes one an error, in standard deviations [1]. Not modified.
      */
     public double of(int output, double[] sizes) {
-        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
+        return IntStream.range(0, sizes.length).filter(i -> isOf(errors.get(i), output))
                 .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();
     }
 }

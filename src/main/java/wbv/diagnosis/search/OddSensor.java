@@ -1,9 +1,7 @@
 package wbv.diagnosis.search;
 
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
@@ -12,8 +10,8 @@ import wbv.body.SensorFault;
 import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Nuisances;
 import wbv.diagnosis.fit.Place;
-import wbv.diagnosis.fit.SensorDelays;
 import wbv.diagnosis.measured.SmallError;
 import wbv.diagnosis.mechanism.Addition;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -21,12 +19,14 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /**
  * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach, in a
  * sensor and in the input's; so nothing is left to be explained where one is later than that against all others, and yet it is at fault.
- * The channels of a device have one clock: that they are late together is as rare as that one is.
  */
 public final class OddSensor {
 
     /** How rarely a recording has a sensor so odd by chance, on either side. */
     private static final double RARE = 2 * new NormalDistribution().cumulativeProbability(-SmallError.MOST);
+
+    /** Of the oddness of one clock. */
+    private static final ChiSquaredDistribution ONE_CLOCK = new ChiSquaredDistribution(1);
 
     private final Evidence evidence;
     private final Search search;
@@ -61,33 +61,23 @@ public final class OddSensor {
 
     private Fitter.State late(Fitter.State base, Hypothesis hypothesis, int output) {
         Candidate with = base.candidate().with(hypothesis);
-        double delay = device(output).stream().mapToDouble(o -> base.frame().nuisances().delays().of(o, base.errors())).average()
-                .orElseThrow();
+        double delay = base.frame().nuisances().delays().of(output, base.errors());
         double[] start = hypothesis.starts().get(0).values().clone();
         start[0] = isInput(hypothesis.additions().get(0)) ? -delay : delay;
         return search.refinement().polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }
 
-    private List<Integer> device(int output) {
-        return new Place(Place.Kind.DEVICE, output).channels(evidence);
-    }
-
     /** First output of the device that is odd, of several the oddest. */
     private Optional<Integer> oddest(Fitter.State fit) {
-        int[] devices = IntStream.range(0, evidence.outputs().size()).filter(output -> device(output).get(0) == output).toArray();
+        int[] devices = IntStream.range(0, evidence.outputs().size())
+                .filter(output -> new Place(Place.Kind.DEVICE, output).channels(evidence).get(0) == output).toArray();
         return IntStream.of(devices).boxed().min(Comparator.comparingDouble(output -> rarity(output, fit)))
                 .filter(output -> rarity(output, fit) * devices.length < RARE);
     }
 
-    /** Probability that a device's channels, all late or all early, are by chance so much later than all others are. */
-    private double rarity(int output, Fitter.State fit) {
-        SensorDelays delays = fit.frame().nuisances().delays();
-        boolean[] off = fit.frame().nuisances().off(fit.candidate());
-        List<Integer> channels = device(output);
-        boolean together = Math.abs(channels.stream().mapToDouble(o -> Math.signum(delays.of(o, fit.errors()))).sum()) == channels.size();
-        return together
-                ? 1 - new ChiSquaredDistribution(channels.size())
-                        .cumulativeProbability(delays.oddness(Set.copyOf(channels), fit.errors(), off))
-                : 1;
+    /** Probability that a device is by chance so much later, or earlier, than all others are. */
+    private static double rarity(int output, Fitter.State fit) {
+        Nuisances nuisances = fit.frame().nuisances();
+        return 1 - ONE_CLOCK.cumulativeProbability(nuisances.delays().oddness(output, fit.errors(), nuisances.off(fit.candidate())));
     }
 }
