@@ -30,6 +30,7 @@ import wbv.body.number.Key;
 import wbv.body.number.Modulator;
 import wbv.body.number.Numbers;
 import wbv.body.number.Shape;
+import wbv.body.number.Units;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
@@ -40,6 +41,8 @@ public final class ModelFile {
     /** Of the sets of values that a fault of one suggests. */
     private static final int NEAREST = 3;
     private static final String STIFFENING = "cubic_per_m2";
+    /** How the key of the coefficient of a term that was learned begins; its unit follows. */
+    public static final String COEFFICIENT = "coefficient_[";
     /** The key of a base's filter, in every form. */
     static final String FILTER = "anti_alias";
     /** NaN is read as a number, so that the value that may not be one is named. */
@@ -142,8 +145,15 @@ public final class ModelFile {
         return about ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
     }
 
-    /** The key of any number of a law, such as {@code k3_N_per_m3}, where its link acts about an axis: {@code k3_Nm_per_rad3}. */
+    /**
+     * The key of any number of a law, such as {@code k3_N_per_m3}, where its link acts about an axis: {@code k3_Nm_per_rad3}; of a term
+     * that was learned {@code coefficient_[N·m/(rad/s)] of v thinned}.
+     */
     public static String keyAbout(String key) {
+        if (key.startsWith(COEFFICIENT)) {
+            int end = key.indexOf(']');
+            return COEFFICIENT + Units.about(key.substring(COEFFICIENT.length(), end), key.contains(" × ")) + key.substring(end);
+        }
         String turned = key.replaceAll("_N(s2?)?_per_m(?=$|_|\\d)", "_Nm$1_per_rad").replaceAll("_m_per_s$", "_rad_per_s")
                 .replaceAll("_per_m2$", "_per_rad2");
         return turned.replaceAll("_N$", "_Nm").replaceAll("_m$", "_rad");

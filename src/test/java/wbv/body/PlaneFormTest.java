@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.learn.LearnedWords;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
@@ -143,6 +144,17 @@ class PlaneFormTest {
                 List.of("k3_N_per_m3", "c2_Ns2_per_m2", "friction_N", "transition_m_per_s", "gap_m", "stop_N_per_m1_5", "relaxation_s")
                         .stream()
                         .map(ModelFile::keyAbout).toList());
+        assertEquals("coefficient_[N·m/(rad/s)] of v thinned", ModelFile.keyAbout("coefficient_[N/(m/s)] of v thinned"));
+        assertEquals("coefficient_[N·m/(rad·N)] of r × load of link 2", ModelFile.keyAbout("coefficient_[N/(m·N)] of r × load of link 2"));
+    }
+
+    @Test
+    void aLearnedLawAboutAnAxisIsWrittenInRadians() {
+        Model model = ModelFile
+                .parse(String.format(MODEL, "").replace("\"damping_Nms_per_rad\": 1.5", "\"damping_Nms_per_rad\": 1.5, \"laws\": ["
+                        + "{\"law\": \"learned\", \"coefficient_N\": -16, \"thinning\": 1.5, \"speed_m_per_s\": 0.794}]"), "model.json");
+        assertEquals("F = −16 N·m/(rad/s) · v / (1 + |v / 794 mrad/s|^1.5)",
+                new LearnedWords(model, "trunk.pitch-head.pitch").formula());
     }
 
     @Test

@@ -29,6 +29,20 @@ public final class Units {
         return power == 0 ? "" : "·10" + raised;
     }
 
+    /**
+     * The unit of what multiplies a link's motion where the link is about an axis: it carries moments and turns, {@code N·m/(rad/s)}.
+     *
+     * @param unit along an axis
+     * @param modulated whether its force goes by something beside, which is another's and keeps its unit
+     */
+    public static String about(String unit, boolean modulated) {
+        String moment = unit.replaceFirst("^N", "N·m");
+        int per = moment.indexOf('/');
+        String below = per < 0 ? "" : moment.substring(per);
+        return moment.substring(0, per < 0 ? moment.length() : per)
+                + (modulated ? below.replaceFirst("m", "rad") : below.replace("m", "rad"));
+    }
+
     /** Newtons per something; newtons where it is empty. */
     public static String newtonsPer(String unit) {
         return unit.isEmpty() ? "N" : unit.contains("·") ? "N/(" + unit + ")" : "N/" + unit;

@@ -59,24 +59,14 @@ public final class LearnedWords {
         return out.toString();
     }
 
-    /**
-     * The unit of a coefficient. A link about an axis carries moments and turns; what its force goes by beside is another's, and keeps its
-     * unit.
-     */
     private String unit(Learned term) {
-        if (!about) {
-            return term.unit();
-        }
-        String moment = term.unit().replaceFirst("^N", "N·m");
-        int per = moment.indexOf('/');
-        String below = per < 0 ? "" : moment.substring(per);
-        return moment.substring(0, per < 0 ? moment.length() : per)
-                + (term.modulator() instanceof Modulator.None ? below.replace("m", "rad") : below.replaceFirst("m", "rad"));
+        return about ? Units.about(term.unit(), !(term.modulator() instanceof Modulator.None)) : term.unit();
     }
 
-    /** What the coefficient multiplies. */
+    /** What the coefficient multiplies; of a link about an axis thousandths of metres are those of radians. */
     private String shape(Learned term) {
-        String text = term.formula() + modulator(term.modulator(), term instanceof LearnedLimited);
+        String text = (about ? term.formula().replace(" mm", " mrad") : term.formula())
+                + modulator(term.modulator(), term instanceof LearnedLimited);
         return text.startsWith(NOTHING_ELSE) ? text.substring(NOTHING_ELSE.length()) : text;
     }
 

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
+import wbv.body.ModelFile;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;
 import wbv.body.law.LearnedCourse;
@@ -195,6 +196,6 @@ final class Terms {
     }
 
     private static String key(Learned law) {
-        return "coefficient_[" + law.unit() + "] of " + words(law);
+        return ModelFile.COEFFICIENT + law.unit() + "] of " + words(law);
     }
 }
