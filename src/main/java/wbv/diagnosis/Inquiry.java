@@ -204,14 +204,16 @@ final class Inquiry {
     }
 
     /**
-     * The same where what a person does who sits still counts as noise, if that is all that is left, on smooth stretches and on rough ones
-     * alike.
+     * The same where what a person does who sits still counts as noise, if that is all that is left: no more than noise on smooth stretches
+     * and on rough ones alike, or nothing of which a law promises to leave less.
      */
     Optional<Inquiry> knowingWhoSitsStill() {
         // A tone would be taken for a part of a force that has all frequencies.
         return SpectralLines.standOut(base().residual(), evidence.fit()) ? Optional.empty()
-                : BodyForce.aboveBase(evidence, base()).filter(force -> force.ordinary(evidence) && force.following().isSteady())
-                        .map(this::knowing).filter(knowing -> knowing.leaves(knowing.base(), Priors.NOISE));
+                : own(base()).flatMap(force -> Optional.of(knowing(force)).filter(knowing -> {
+                    boolean steady = force.following().isSteady() && knowing.leaves(knowing.base(), Priors.NOISE);
+                    return steady || !force.coherent() && knowing.leaves(knowing.base(), Priors.SILENT) && !knowing.isAnyPromising();
+                }));
     }
 
     /** A strong force of its own that is left without any mechanism. */

@@ -62,8 +62,9 @@ final class LearnedVerdict {
             LearnedWords law = new LearnedWords(model, where);
             return new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
                     "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on "
-                            + "data not used went with it.",
-                    where, law.formula(), Phrases.percent(gone(heldBefore))), new Mismatch(evidence, fits.base()).located(), missing,
+                            + "data not used went with it.%s",
+                    where, law.formula(), Phrases.percent(gone(heldBefore)), words.resembling(refused.missing())),
+                    new Mismatch(evidence, fits.base()).located(), missing,
                     Stream.concat(refused.missing().stream(),
                             refused.verdict() == Diagnosis.Verdict.MISSING_PHYSICS ? refused.alternatives().stream() : Stream.empty())
                             .filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))

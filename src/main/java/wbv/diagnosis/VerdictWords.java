@@ -201,8 +201,18 @@ final class VerdictWords {
      * @param after what it leaves on data not used
      */
     String nearest(List<Diagnosis.Named> named, double explained, double after) {
-        return " Nearest in the library: " + found(named) + "; explains " + Phrases.percent(explained) + " of the mismatch, "
-                + Phrases.percent(Math.max(0, (heldBefore - after) / Math.max(heldBefore - 1, 1e-9))) + " on data not used.";
+        return nearest(named, explained) + ", " + Phrases.percent(Math.max(0, (heldBefore - after) / Math.max(heldBefore - 1, 1e-9)))
+                + " on data not used.";
+    }
+
+    private String nearest(List<Diagnosis.Named> named, double explained) {
+        return " Nearest in the library: " + found(named) + "; explains " + Phrases.percent(explained) + " of the mismatch";
+    }
+
+    /** What nearly says the same as a law that was learned, a sentence of its own; empty where nothing in the library does. */
+    String resembling(List<Diagnosis.Named> named) {
+        double explained = named.stream().mapToDouble(one -> Refinement.explained(base, one.reduced())).min().orElse(0);
+        return explained > Priors.NEARLY_ALL ? nearest(named, explained) + "." : "";
     }
 
     /** What the noise holds beside that of sensors, to end a sentence. */
