@@ -50,7 +50,7 @@ class PlaneDiagnosisTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"contact.bumpstop, 74", "stiffness.hardening, 75", "damping.quadratic, 76"})
+    @CsvSource({"contact.bumpstop, 74", "stiffness.hardening, 75"})
     @Tag("exam")
     void whatIsConcealedInAJointIsNamedThere(String word, long seed) throws Exception {
         ConcealedCase made = concealed(List.of(word), false, seed);
@@ -58,6 +58,18 @@ class PlaneDiagnosisTest {
         assertFalse(diagnosis.missing().isEmpty(), diagnosis.sentence());
         assertEquals(word, diagnosis.missing().get(0).mechanism(), diagnosis.sentence());
         assertTrue(made.key().contains("\"" + diagnosis.missing().get(0).where() + "\""), made.key());
+    }
+
+    /** A head that its damping brakes so much that it mostly moves below the speed at which that becomes quadratic. */
+    @Test
+    @Tag("exam")
+    void whereTheFormIsNotTheLibrarysTheNearestNameIsTold() {
+        Diagnosis diagnosis = diagnosed(concealed(List.of("damping.quadratic"), false, 76));
+        assertEquals(Diagnosis.Verdict.LEARNED_LAW, diagnosis.verdict(), diagnosis.sentence());
+        String neck = "sternum.pitch-head.pitch";
+        assertEquals(neck, diagnosis.missing().get(0).where(), diagnosis.sentence());
+        assertTrue(diagnosis.sentence().contains("Nearest in the library: The damping of " + neck + " grows with speed"),
+                diagnosis.sentence());
     }
 
     @Test

@@ -17,7 +17,7 @@ import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
 
-/** A person on the road who does nothing but sit still, of whom the model's values are off: by himself, and beside a law that does little. */
+/** A person on the road who does nothing but sit still, of whom the model's values are off: by himself, and beside a law of little. */
 @Tag("slow")
 class SittingStillTest {
 
