@@ -3,7 +3,6 @@ package wbv.recording;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * Rows whose every value some sensor could have measured. What lies beyond is damage, or in another unit: it is refused where it
@@ -67,7 +66,7 @@ public final class BoundedReader implements RowReader {
     }
 
     @Override
-    public OptionalDouble origin() {
+    public Optional<CalendarTime> origin() {
         return rows.origin();
     }
 

@@ -4,7 +4,6 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * A recording read row by row, in the order of the file, with memory that does not grow with its length.
@@ -44,11 +43,9 @@ public interface RowReader extends Closeable {
         return 0;
     }
 
-    /**
-     * What a calendar said at {@code t = 0}, in seconds from the beginning of 1970 on [s], where rows are dated: known once one was read.
-     */
-    default OptionalDouble origin() {
-        return OptionalDouble.empty();
+    /** What a calendar said at {@code t = 0}, where rows are dated: known once one was read. */
+    default Optional<CalendarTime> origin() {
+        return Optional.empty();
     }
 
     /** The sensor's own counter or clock that {@code t} was made from, where it was: holes in it are packets lost. */

@@ -3,7 +3,7 @@ package wbv.recording.format;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
+import wbv.recording.CalendarTime;
 import wbv.recording.DataFault;
 import wbv.recording.Decimal;
 
@@ -49,8 +49,8 @@ final class Cells {
     }
 
     /** See {@link Timestamps#origin}; empty too where times are numbers. */
-    OptionalDouble origin() {
-        return stamps.map(Timestamps::origin).orElseGet(OptionalDouble::empty);
+    Optional<CalendarTime> origin() {
+        return stamps.flatMap(Timestamps::origin);
     }
 
     /**

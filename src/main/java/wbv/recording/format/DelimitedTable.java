@@ -3,7 +3,8 @@ package wbv.recording.format;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import wbv.recording.CalendarTime;
 import wbv.recording.DataFault;
 
 /**
@@ -45,7 +46,7 @@ final class DelimitedTable implements SlotRows {
     }
 
     @Override
-    public OptionalDouble origin() {
+    public Optional<CalendarTime> origin() {
         return cells.origin();
     }
 

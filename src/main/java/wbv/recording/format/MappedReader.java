@@ -2,7 +2,8 @@ package wbv.recording.format;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import wbv.recording.CalendarTime;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.RowReader;
@@ -64,7 +65,7 @@ final class MappedReader implements RowReader {
     }
 
     @Override
-    public OptionalDouble origin() {
+    public Optional<CalendarTime> origin() {
         return rows.origin();
     }
 

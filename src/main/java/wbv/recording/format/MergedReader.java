@@ -6,8 +6,8 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
+import wbv.recording.CalendarTime;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
@@ -74,13 +74,17 @@ public final class MergedReader implements RowReader {
 
     /** Rows that are dated count from the first of each file: the dates say how far these are apart. */
     private void laidByDate() {
-        OptionalDouble first = readers.get(0).origin();
-        if (readers.stream().anyMatch(reader -> reader.origin().isPresent() != first.isPresent())) {
+        List<CalendarTime> dates = readers.stream().flatMap(reader -> reader.origin().stream()).toList();
+        if (!dates.isEmpty() && dates.size() < readers.size()) {
             throw new DataFault("recordings timed by dates and by numbers share no clock and cannot be joined");
         }
-        double least = readers.stream().mapToDouble(reader -> reader.origin().orElse(0)).min().orElse(0);
-        for (int i = 0; i < offsets.length && first.isPresent(); i++) {
-            double later = readers.get(i).origin().getAsDouble() - least;
+        if (dates.stream().map(CalendarTime::zoned).distinct().count() > 1) {
+            throw new DataFault("recordings dated with a time zone and without one may be hours apart and cannot be joined; give all of "
+                    + "them a zone, such as Z or +01:00, or none");
+        }
+        double least = dates.stream().mapToDouble(CalendarTime::seconds).min().orElse(0);
+        for (int i = 0; i < dates.size(); i++) {
+            double later = dates.get(i).seconds() - least;
             offsets[i] += later;
             ahead[i][0] += later;
         }

@@ -2,8 +2,9 @@ package wbv.recording.format;
 
 import java.io.EOFException;
 import java.io.IOException;
-import java.util.OptionalDouble;
+import java.util.Optional;
 import java.util.zip.ZipException;
+import wbv.recording.CalendarTime;
 import wbv.recording.DataFault;
 import wbv.recording.signals.Label;
 import wbv.recording.signals.SignalFile;
@@ -61,8 +62,8 @@ final class SignalRows implements SlotRows {
 
     /** Where the signal of dates is the time and not another. */
     @Override
-    public OptionalDouble origin() {
-        return isTime ? signals.origin() : OptionalDouble.empty();
+    public Optional<CalendarTime> origin() {
+        return isTime ? signals.origin() : Optional.empty();
     }
 
     @Override

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import wbv.recording.AxisSigns;
+import wbv.recording.CalendarTime;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
@@ -87,7 +87,7 @@ final class SignedReader implements RowReader {
     }
 
     @Override
-    public OptionalDouble origin() {
+    public Optional<CalendarTime> origin() {
         return rows.origin();
     }
 

@@ -2,7 +2,8 @@ package wbv.recording.format;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import wbv.recording.CalendarTime;
 import wbv.recording.DataFault;
 
 /** Rows of numbers in slots, in whatever units the file has. */
@@ -21,9 +22,9 @@ interface SlotRows extends Closeable {
     /** Line of the file that the last row stood on; 0 where lines mean nothing. */
     long line();
 
-    /** What a calendar said at the first row, whose time counts from there, in seconds from 1970 on [s]; empty where it is a number. */
-    default OptionalDouble origin() {
-        return OptionalDouble.empty();
+    /** What a calendar said at the first row, whose time counts from there; empty where it is a number. */
+    default Optional<CalendarTime> origin() {
+        return Optional.empty();
     }
 
     /** Share of the file that was read, 0 to 1. */

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.time.DateTimeException;
 import java.time.LocalDate;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import wbv.recording.CalendarTime;
 
 /**
  * Dates and times of ISO 8601 in one column, as seconds from the first of them: {@code 2025-03-04T10:15:00.005}, with a blank for the T,
@@ -49,9 +49,9 @@ final class Timestamps {
         }
     }
 
-    /** What the first was, in seconds from the beginning of 1970 [s], of its own zone where it names none; empty before it. */
-    OptionalDouble origin() {
-        return first.isPresent() ? OptionalDouble.of(first.getAsLong() / (double) NANOS) : OptionalDouble.empty();
+    /** What the first was; empty before it. */
+    Optional<CalendarTime> origin() {
+        return first.stream().mapToObj(nanos -> new CalendarTime(nanos / (double) NANOS, zoned)).findFirst();
     }
 
     /**

@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.time.Instant;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToLongFunction;
 import org.apache.parquet.column.ColumnDescriptor;
@@ -15,6 +14,7 @@ import org.apache.parquet.schema.LogicalTypeAnnotation.IntLogicalTypeAnnotation;
 import org.apache.parquet.schema.LogicalTypeAnnotation.TimestampLogicalTypeAnnotation;
 import org.apache.parquet.schema.PrimitiveType;
 import org.apache.parquet.schema.PrimitiveType.PrimitiveTypeName;
+import wbv.recording.CalendarTime;
 
 /**
  * A column of numbers, one a row. Timestamps, of milli-, micro- or nanoseconds and the old ones of 96 bits, are seconds from the first of
@@ -114,10 +114,9 @@ final class ParquetColumn {
         return (now - origin) / (double) clock.perSecond;
     }
 
-    /** What the first timestamp was, in seconds from the beginning of 1970 [s]; empty before it was read, and of numbers. */
-    OptionalDouble origin() {
-        return ticks.filter(clock -> begun).map(clock -> OptionalDouble.of(origin / (double) clock.perSecond))
-                .orElse(OptionalDouble.empty());
+    /** What the first timestamp was; empty before it was read, and of numbers. */
+    Optional<CalendarTime> origin() {
+        return ticks.filter(clock -> begun).map(clock -> new CalendarTime(origin / (double) clock.perSecond, clock.utc));
     }
 
     ColumnDescriptor descriptor() {

@@ -27,6 +27,7 @@ import org.apache.parquet.hadoop.metadata.BlockMetaData;
 import org.apache.parquet.hadoop.metadata.ColumnChunkMetaData;
 import org.apache.parquet.io.LocalInputFile;
 import org.apache.parquet.schema.MessageType;
+import wbv.recording.CalendarTime;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Header;
@@ -198,8 +199,8 @@ final class ParquetSignals implements SignalFile {
     }
 
     @Override
-    public OptionalDouble origin() {
-        return clock.map(ParquetColumn::origin).orElse(OptionalDouble.empty());
+    public Optional<CalendarTime> origin() {
+        return clock.flatMap(ParquetColumn::origin);
     }
 
     @Override

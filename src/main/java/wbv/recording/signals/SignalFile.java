@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import wbv.recording.CalendarTime;
 
 /** An opened file of signals that were sampled together, row by row, each in the unit that it stands in. */
 public interface SignalFile extends Closeable {
@@ -16,11 +17,9 @@ public interface SignalFile extends Closeable {
     /** The signal that holds the time [s], if one does. */
     Optional<String> time();
 
-    /**
-     * What a calendar says at time 0, in seconds from the beginning of 1970 [s], where the times are dates: known once one was read.
-     */
-    default OptionalDouble origin() {
-        return OptionalDouble.empty();
+    /** What a calendar says at time 0, where the times are dates: known once one was read. */
+    default Optional<CalendarTime> origin() {
+        return Optional.empty();
     }
 
     /** Samples per second [Hz], where there is no signal of times but a rate; Parquet states it beside the times. */

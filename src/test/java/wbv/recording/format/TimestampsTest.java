@@ -42,7 +42,7 @@ class TimestampsTest {
         if (!zoned.isEmpty()) {
             Timestamps clock = new Timestamps();
             clock.of(zoned);
-            assertEquals(OffsetDateTime.parse(zoned).toInstant().toEpochMilli() / 1e3, clock.origin().getAsDouble());
+            assertEquals(OffsetDateTime.parse(zoned).toInstant().toEpochMilli() / 1e3, clock.origin().orElseThrow().seconds());
         }
     }
 
@@ -91,5 +91,9 @@ class TimestampsTest {
         RecordingFile counted = Samples.recording(folder, "c.csv", "# rate: 2 Hz\nt,back.acc.z\n0,1\n0.5,2\n");
         String told = assertThrows(DataFault.class, () -> new MergedReader(List.of(late.open(), counted.open()))).getMessage();
         assertTrue(told.contains("share no clock"), told);
+        RecordingFile zoned = Samples.recording(folder, "d.csv",
+                "# rate: 2 Hz\nt,back.acc.z\n2025-03-04T10:00:00Z,1\n2025-03-04T10:00:00.5Z,2\n");
+        String apart = assertThrows(DataFault.class, () -> new MergedReader(List.of(late.open(), zoned.open()))).getMessage();
+        assertTrue(apart.contains("may be hours apart"), apart);
     }
 }
