@@ -17,7 +17,7 @@ import wbv.body.law.Law;
 record EndStop() implements Mechanism {
 
     /** Key of what side it is on. */
-    private static final String SIDE = "side";
+    static final String SIDE = "side";
     /** The least gap to start from, in parts of the deflection. */
     private static final double LEAST_PART = 2e-3;
 

@@ -45,7 +45,7 @@ record StretchReflex() implements Mechanism {
 
     @Override
     public String sentence(Set<String> keys, Map<String, String> form) {
-        return switch (form.getOrDefault("side", "")) {
+        return switch (form.getOrDefault(EndStop.SIDE, "")) {
             case "compression" -> "Something at %s answers late and pushes only, as it is compressed, as a muscle of the other side does";
             case "extension" -> "Something at %s answers late and pulls only, as it is extended, as a muscle does";
             default -> entry().sentence();
