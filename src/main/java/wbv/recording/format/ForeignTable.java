@@ -29,7 +29,7 @@ import wbv.recording.signals.UnitWords;
  * @param time   the column of times that the file itself names, if it does
  * @param rate   samples a second that the file states
  * @param timed  whether the file knows its times without a map
- * @param asked  what no file of this kind says
+ * @param asked  what no file of this kind says; of one that does not know its times, about these
  */
 record ForeignTable(String where, List<Label> labels, List<Optional<String>> units, double[][] values, Optional<String> time,
         OptionalDouble rate, boolean timed, Optional<String> asked) {
@@ -40,6 +40,9 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
     private static final int ENOUGH = 3;
     private static final String FULL_SCALE = "What is full scale? Whole numbers of a WAV are shares of it: write it as the \"scale\" of "
             + "each channel.";
+    /** Clocks as people write them, with a day or without. */
+    private static final Pattern CLOCK = Pattern
+            .compile("(?:\\d{1,4}[./-]\\d{1,2}[./-]\\d{1,4}[ T,]+)?\\d{1,2}:\\d{2}(?::\\d{2}(?:[.,]\\d+)?)?(?: ?[AaPp][Mm])?");
     private static final Pattern RATE = Pattern
             .compile("(?i)(?:sampl\\w*[ _]?(?:rate|freq\\w*)|update rate|\\bfs)\\W+([0-9]+(?:[.,][0-9]+)?)\\s*(k?)(?:hz)?");
 
@@ -127,7 +130,15 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
             beside.add(dated.equals(Optional.of(i)) ? Optional.of("s") : units.isEmpty() ? Optional.empty() : Optional.of(units.get(i)));
         }
         return new ForeignTable("a table parted by " + parted + (units.isEmpty() ? "" : ", with a row of units"), labels, beside,
-                columns, dated.map(names::get), rate, false, Optional.empty());
+                columns, dated.map(names::get), rate, false,
+                dated.isPresent() ? Optional.empty() : unread(names, DelimitedTable.names(lines.get(first), separator)));
+    }
+
+    /** What to do where a clock was written as none reads it for certain. */
+    private static Optional<String> unread(List<String> names, List<String> cells) {
+        return IntStream.range(0, names.size()).filter(i -> CLOCK.matcher(cells.get(i)).matches()).mapToObj(i -> "When is '" + cells.get(i)
+                + "' of '" + names.get(i) + "'? Only dates and times of ISO 8601 are read, such as 2025-03-04T10:15:00.005: write them so, "
+                + "or say the rate.").findFirst();
     }
 
     private static boolean ahead(List<String> lines, int from, char separator, int width) {

@@ -59,7 +59,7 @@ public final class MapDraft {
 
     private MapDraft(ForeignTable table) {
         this.table = table;
-        table.asked().ifPresent(questions::add);
+        table.asked().filter(question -> table.timed()).ifPresent(questions::add);
         for (int i = 0; i < table.labels().size(); i++) {
             words.add(NameWords.of(table.labels().get(i), table.units().get(i)));
         }
@@ -147,6 +147,7 @@ public final class MapDraft {
             return;
         }
         if (clock < 0) {
+            table.asked().ifPresent(questions::add);
             questions.add("How many samples a second? No column is a time: write \"time\": {\"rate_hz\": …}.");
             time.putNull("rate_hz");
             return;

@@ -72,6 +72,23 @@ class TimestampsTest {
         assertTrue(assertThrows(DataFault.class, () -> mapped(file, map)).getMessage().contains("no unit and no scale"));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"04.03.2025 10:15:%02d", "3/4/2025 10:15:%02d PM", "10:15:%02d,25"})
+    void aDraftedMapAsksForClocksThatItDoesNotRead(String clock) throws IOException {
+        StringBuilder alone = new StringBuilder("Zeit;Seat X [g];Seat Z [g]\n");
+        StringBuilder beside = new StringBuilder("Zeit;t [s];Seat X [g];Seat Z [g]\n");
+        for (int i = 0; i < 40; i++) {
+            String now = String.format(clock, i) + ";";
+            String values = "0,1;1,0" + i % 7 + "\n";
+            alone.append(now).append(values);
+            beside.append(now).append(i).append(';').append(values);
+        }
+        String asked = MapDraft.of(Samples.file(folder, "r.csv", alone.toString())).questions().get(0);
+        assertTrue(asked.startsWith("When is '" + String.format(clock, 0) + "' of 'Zeit'?"), asked);
+        assertTrue(asked.contains("2025-03-04T10:15:00.005"), asked);
+        assertEquals(List.of(), MapDraft.of(Samples.file(folder, "t.csv", beside.toString())).questions());
+    }
+
     private static List<double[]> mapped(Path file, Path map) throws IOException {
         return Samples.rows(new RecordingFile(file, new ReadOptions(Optional.of(ColumnMap.read(map)), OptionalDouble.empty(), Map.of()))
                 .open());
