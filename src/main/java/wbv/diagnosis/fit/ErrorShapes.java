@@ -72,10 +72,11 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
     /** The channels of a device have one clock: of its first output, what all read less while they grow. */
     private void addDelay(Evidence evidence, int o, double[][] early) {
-        List<Integer> device = new Place(Place.Kind.DEVICE, o).channels(evidence);
-        if (device.get(0) == o && device.stream().anyMatch(channel -> errs(evidence, channel))) {
+        Place device = Place.device(evidence, o);
+        List<Integer> channels = device.channels(evidence);
+        if (device.index() == o && channels.stream().anyMatch(channel -> errs(evidence, channel))) {
             double[][] late = new double[early.length][0];
-            device.forEach(channel -> late[channel] = scaled(early[channel], -1));
+            channels.forEach(channel -> late[channel] = scaled(early[channel], -1));
             errors.add(new SmallError(Kind.DELAY, o, ""));
             shapes.add(late);
         }

@@ -46,11 +46,14 @@ public record Place(Kind kind, int index) {
     /** The same and whole devices, where other sensors are left to tell. */
     public static List<Place> andDevices(Evidence evidence) {
         List<Place> out = new ArrayList<>(all(evidence));
-        IntStream.range(0, evidence.outputs().size()).mapToObj(o -> new Place(Kind.DEVICE, o)).filter(device -> {
-            List<Integer> channels = device.channels(evidence);
-            return channels.size() > 1 && channels.get(0) == device.index && !device.isAllThatMeasures(evidence);
-        }).forEach(out::add);
+        IntStream.range(0, evidence.outputs().size()).mapToObj(o -> device(evidence, o)).distinct()
+                .filter(device -> device.channels(evidence).size() > 1 && !device.isAllThatMeasures(evidence)).forEach(out::add);
         return out;
+    }
+
+    /** The device that makes an output, if of that alone. */
+    public static Place device(Evidence evidence, int output) {
+        return new Place(Kind.DEVICE, Scene.device(evidence.outputs(), evidence.onRig(), output).get(0));
     }
 
     /** Whether it is a device that makes all outputs: no other sensor is left to tell of it. */

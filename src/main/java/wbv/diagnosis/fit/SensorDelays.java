@@ -22,8 +22,8 @@ public final class SensorDelays {
 
     /** None yet. */
     static SensorDelays of(Evidence evidence, List<SmallError> errors) {
-        return new SensorDelays(errors, IntStream.range(0, evidence.outputs().size())
-                .mapToObj(o -> new Place(Place.Kind.DEVICE, o).channels(evidence).get(0)).toList(), evidence.measured().sample());
+        return new SensorDelays(errors, IntStream.range(0, evidence.outputs().size()).mapToObj(o -> Place.device(evidence, o).index())
+                .toList(), evidence.measured().sample());
     }
 
     /**

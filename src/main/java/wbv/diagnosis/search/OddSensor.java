@@ -70,7 +70,7 @@ public final class OddSensor {
     /** First output of the device that is odd, of several the oddest. */
     private Optional<Integer> oddest(Fitter.State fit) {
         int[] devices = IntStream.range(0, evidence.outputs().size())
-                .filter(output -> new Place(Place.Kind.DEVICE, output).channels(evidence).get(0) == output).toArray();
+                .filter(output -> Place.device(evidence, output).index() == output).toArray();
         return IntStream.of(devices).boxed().min(Comparator.comparingDouble(output -> rarity(output, fit)))
                 .filter(output -> rarity(output, fit) * devices.length < RARE);
     }
