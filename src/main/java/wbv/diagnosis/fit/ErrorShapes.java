@@ -70,11 +70,10 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         return quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE || evidence.onRig();
     }
 
-    /** The channels of a device have one clock: of its first output, what all read less while they grow. */
+    /** Of the first of outputs that are late together, what all read less while they grow. */
     private void addDelay(Evidence evidence, int o, double[][] early) {
-        Place device = Place.device(evidence, o);
-        List<Integer> channels = device.channels(evidence);
-        if (device.index() == o && channels.stream().anyMatch(channel -> errs(evidence, channel))) {
+        List<Integer> channels = Place.late(evidence, o);
+        if (channels.get(0) == o && channels.stream().anyMatch(channel -> errs(evidence, channel))) {
             double[][] late = new double[early.length][0];
             channels.forEach(channel -> late[channel] = scaled(early[channel], -1));
             errors.add(new SmallError(Kind.DELAY, o, ""));
@@ -101,7 +100,9 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         double[][] answer = answer(evidence, axis, axis);
         addOfBase(evidence, new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name), -1, answer);
         List<Channel> sensors = evidence.model().base().sensors();
-        if (evidence.onRig() || !sensors.get(axis).location().equals(sensors.get(0).location())) {   // else their clock is one
+        boolean oneClock = !evidence.onRig() && !evidence.standsForSimulation()
+                && sensors.get(axis).location().equals(sensors.get(0).location());
+        if (!oneClock) {
             addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1,
                     Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
         }

@@ -56,6 +56,14 @@ public record Place(Kind kind, int index) {
         return new Place(Kind.DEVICE, Scene.device(evidence.outputs(), evidence.onRig(), output).get(0));
     }
 
+    /**
+     * Outputs that are late together: those of a device, which has one clock. What stands for a simulation is not quite as that in the
+     * phase of each output, which a delay of its own takes.
+     */
+    static List<Integer> late(Evidence evidence, int output) {
+        return evidence.standsForSimulation() ? List.of(output) : device(evidence, output).channels(evidence);
+    }
+
     /** Whether it is a device that makes all outputs: no other sensor is left to tell of it. */
     public boolean isAllThatMeasures(Evidence evidence) {
         return kind == Kind.DEVICE && channels(evidence).size() == evidence.outputs().size();

@@ -8,13 +8,13 @@ import wbv.diagnosis.measured.SmallError;
 import wbv.signal.ScalarProduct;
 
 /**
- * How late sensors are: one delay for all channels of a device, which have one clock. Delays alone of all small errors are not linear up to
+ * How late sensors are: one delay for all outputs that are late together. Delays alone of all small errors are not linear up to
  * the highest line that counts: they are exact about where a fit has them, and only what they are more or less counts to first order.
  */
 public final class SensorDelays {
 
     private final List<SmallError> errors;
-    /** First output of its device, by output: the owner of what all have. */
+    /** First of the outputs that are late with it, by output: the owner of what all have. */
     private final List<Integer> clocks;
     private final double sample;
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
@@ -22,14 +22,14 @@ public final class SensorDelays {
 
     /** None yet. */
     static SensorDelays of(Evidence evidence, List<SmallError> errors) {
-        return new SensorDelays(errors, IntStream.range(0, evidence.outputs().size()).mapToObj(o -> Place.device(evidence, o).index())
+        return new SensorDelays(errors, IntStream.range(0, evidence.outputs().size()).mapToObj(o -> Place.late(evidence, o).get(0))
                 .toList(), evidence.measured().sample());
     }
 
     /**
      * None yet.
      *
-     * @param clocks by output, the first output of its device
+     * @param clocks by output, the first of those that are late with it
      * @param sample time between two samples as they were recorded [s]
      */
     SensorDelays(List<SmallError> errors, List<Integer> clocks, double sample) {
@@ -102,17 +102,20 @@ public final class SensorDelays {
     }
 
     /**
-     * How odd it is [1] that an output's clock is as late as it is against the input's and all others: by how much less the squares of all
-     * delays add up to at least, in standard deviations, if its own were not scatter. Of sensors that only scatter it is distributed as χ²
-     * of one degree of freedom, however many there are beside it; data tell no delay but against the input's.
+     * How odd it is [1] that a clock is as late as it is against the input's and all others: by how much less the squares of all delays add
+     * up to at least, in standard deviations, if its own were not scatter; in the mean of its outputs, where these have delays of their
+     * own. Of sensors that only scatter it is distributed as χ² of one degree of freedom, however many there are beside it; data tell no
+     * delay but against the input's.
      *
-     * @param output of this clock
+     * @param outputs of this clock
      * @param sizes one an error, in standard deviations [1]. Not modified.
      * @param off errors that are not asked, see {@link Nuisances#off}. Not modified.
      * @return [1]
      */
-    public double oddness(int output, double[] sizes, boolean[] off) {
-        return least(sizes, off, error -> true) - least(sizes, off, error -> !isOf(error, output));
+    public double oddness(List<Integer> outputs, double[] sizes, boolean[] off) {
+        long delays = outputs.stream().map(clocks::get).distinct().count();
+        Predicate<SmallError> others = error -> outputs.stream().noneMatch(output -> isOf(error, output));
+        return (least(sizes, off, error -> true) - least(sizes, off, others)) / delays;
     }
 
     /** Least sum of squares of the delays of the input's sensor and of some others [1]. */

@@ -76,8 +76,9 @@ public final class OddSensor {
     }
 
     /** Probability that a device is by chance so much later, or earlier, than all others are. */
-    private static double rarity(int output, Fitter.State fit) {
+    private double rarity(int output, Fitter.State fit) {
         Nuisances nuisances = fit.frame().nuisances();
-        return 1 - ONE_CLOCK.cumulativeProbability(nuisances.delays().oddness(output, fit.errors(), nuisances.off(fit.candidate())));
+        return 1 - ONE_CLOCK.cumulativeProbability(nuisances.delays().oddness(Place.device(evidence, output).channels(evidence),
+                fit.errors(), nuisances.off(fit.candidate())));
     }
 }

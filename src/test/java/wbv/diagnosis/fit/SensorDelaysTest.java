@@ -31,7 +31,7 @@ class SensorDelaysTest {
     }
 
     private static double oddness(int outputs, int asked, double[] sizes) {
-        return delays(outputs).oddness(asked, sizes, new boolean[sizes.length]);
+        return delays(outputs).oddness(List.of(asked), sizes, new boolean[sizes.length]);
     }
 
     @ParameterizedTest
@@ -50,7 +50,7 @@ class SensorDelaysTest {
         SensorDelays delays = new SensorDelays(List.of(clock, other), List.of(0, 0, 2), SAMPLE);
         double[] sizes = {2, 1};
         assertEquals(0.002, delays.of(1, sizes), 1e-15);
-        assertEquals(delays.oddness(0, sizes, new boolean[2]), delays.oddness(1, sizes, new boolean[2]), 0);
+        assertEquals(delays.oddness(List.of(0), sizes, new boolean[2]), delays.oddness(List.of(0, 1), sizes, new boolean[2]), 0);
         double[] spectrum = {1, 0};
         Lateness late = delays.about(sizes).lateness(new double[] {100}, new boolean[2], 3);
         double[][] read = late.of(new double[][] {spectrum, spectrum, spectrum});
@@ -76,6 +76,6 @@ class SensorDelaysTest {
     void aSensorAtFaultIsNotAsked() {
         boolean[] off = new boolean[8];
         off[5] = true;
-        assertEquals(0, delays(3).oddness(0, new double[] {0, 0, 0, 0, 0, 9, 0, 0}, off), 1e-12);
+        assertEquals(0, delays(3).oddness(List.of(0), new double[] {0, 0, 0, 0, 0, 9, 0, 0}, off), 1e-12);
     }
 }
